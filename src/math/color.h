@@ -1,0 +1,28 @@
+// Colour: transfer functions and luminance. Linear is Rec.709 primaries, D65 white, unless a name says so.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+
+#include "math/vector.h"
+
+namespace facet::math {
+
+/// sRGB transfer, IEC 61966-2-1:1999, clause 4.2; linear [0, 1] -> encoded [0, 1]. Odd outside, not clamped.
+[[nodiscard]] inline float srgb_from_linear(float linear) {
+    const float x = std::fabs(linear);
+    const float y = x <= 0.0031308F ? 12.92F * x : 1.055F * std::pow(x, 1.0F / 2.4F) - 0.055F;
+    return std::copysign(y, linear);
+}
+/// Inverse of srgb_from_linear.
+[[nodiscard]] inline float linear_from_srgb(float encoded) {
+    const float x = std::fabs(encoded);
+    const float y = x <= 0.04045F ? x / 12.92F : std::pow((x + 0.055F) / 1.055F, 2.4F);
+    return std::copysign(y, encoded);
+}
+/// Relative luminance Y of linear Rec.709 (ITU-R BT.709-6, 3.2).
+[[nodiscard]] inline float luminance(const Vec3& linear) {
+    return 0.2126F * linear.x + 0.7152F * linear.y + 0.0722F * linear.z;
+}
+
+}  // namespace facet::math

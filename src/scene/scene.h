@@ -1,0 +1,131 @@
+// The scene: a plain value that an importer fills, the studio edits, and the frame and the tracer read.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "image/image.h"
+#include "math/vector.h"
+#include "tables/lights.h"
+#include "tables/material.h"
+
+namespace facet::scene {
+
+using math::Mat3;
+using math::Mat4;
+using math::Vec2;
+using math::Vec3;
+using math::Vec4;
+
+/// Index into one of Scene's vectors; a type each, so that one cannot pass for another.
+template <class Tag>
+struct Id {
+    std::uint32_t index = 0;
+    bool operator==(const Id&) const = default;
+};
+using ImageId = Id<struct ImageTag>;
+using MaterialId = Id<struct MaterialTag>;
+using MeshId = Id<struct MeshTag>;
+
+enum class Wrap : std::uint8_t { repeat, clamp, mirror };
+enum class AlphaMode : std::uint8_t { opaque, mask, blend };
+
+/// One use of an image by a material.
+struct Texture {
+    ImageId image;
+    Wrap wrap_u = Wrap::repeat;
+    Wrap wrap_v = Wrap::repeat;
+    bool nearest = false;         ///< magnified without filtering
+    std::uint32_t uv_set = 0;     ///< 0 or 1
+    Mat3 uv_from_uv{1.0F};        ///< KHR_texture_transform: T * R * S
+};
+
+struct Material {
+    std::string name;
+    tables::MaterialValues values;
+    std::array<std::optional<Texture>, tables::material_textures.size()> textures;  ///< by TextureSlot
+    AlphaMode alpha_mode = AlphaMode::opaque;
+    bool double_sided = false;
+    bool unlit = false;
+
+    [[nodiscard]] const std::optional<Texture>& texture(tables::TextureSlot slot) const {
+        return textures[static_cast<std::size_t>(slot)];
+    }
+};
+
+/// Triangles of one material. Arrays besides `positions_m` are empty or of the same length.
+struct Mesh {
+    std::string name;
+    MaterialId material;
+    std::vector<Vec3> positions_m;
+    std::vector<Vec3> normals;      ///< unit; the importer always fills them
+    std::vector<Vec4> tangents;     ///< xyz unit, w = handedness; empty where no normal map needs them
+    std::vector<Vec2> uv0;
+    std::vector<Vec2> uv1;
+    std::vector<Vec4> colors;       ///< linear Rec.709, straight alpha
+    std::vector<std::uint32_t> indices;  ///< three a triangle, counter-clockwise is front
+    math::Bounds bounds_m;          ///< of positions_m
+};
+
+/// A mesh placed in the world.
+struct Instance {
+    MeshId mesh;
+    Mat4 world_from_object{1.0F};
+    std::string node;               ///< name of the node it came from
+    std::uint32_t object_id = 0;    ///< node index + 1; 0 is the background
+};
+
+struct Light {
+    std::string name;
+    tables::LightKind kind = tables::LightKind::directional;
+    Vec3 color{1.0F};               ///< linear Rec.709 tint
+    float intensity = 1.0F;         ///< lux (directional) or candela (point, spot)
+    Vec3 position_m{0.0F};
+    Vec3 direction{0.0F, 0.0F, -1.0F};  ///< unit; where the light shines to
+    float range_m = 0.0F;           ///< 0: no end
+    float inner_cone_rad = 0.0F;
+    float outer_cone_rad = math::pi / 4.0F;
+};
+
+enum class Projection : std::uint8_t { perspective, orthographic };
+
+/// Looks along -z of its own frame, y up.
+struct Camera {
+    std::string name;               ///< of the camera, else of its node
+    std::string node;
+    Mat4 world_from_view{1.0F};     ///< rotation and translation only
+    Projection projection = Projection::perspective;
+    float yfov_rad = 0.8F;
+    float ymag_m = 1.0F;            ///< half height of an orthographic view
+    float near_m = 0.01F;
+    float far_m = 0.0F;             ///< 0: infinite
+};
+
+/// An image the materials use; null where it could not be read and a white pixel stands in.
+struct SceneImage {
+    std::string name;               ///< uri or name, for messages
+    std::shared_ptr<const image::Image> pixels;
+};
+
+struct Scene {
+    std::string name;
+    std::vector<SceneImage> images;
+    std::vector<Material> materials;
+    std::vector<Mesh> meshes;
+    std::vector<Instance> instances;
+    std::vector<Light> lights;
+    std::vector<Camera> cameras;
+    std::vector<std::string> extensions_used;
+    std::vector<std::string> animations;  ///< clip names
+    std::vector<std::string> variants;    ///< KHR_materials_variants names
+
+    [[nodiscard]] std::uint64_t triangle_count() const;  ///< instances counted each
+    [[nodiscard]] math::Bounds bounds_m() const;         ///< world space
+};
+
+}  // namespace facet::scene

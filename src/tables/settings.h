@@ -1,0 +1,48 @@
+// The settings of one picture: settings.def's only expansion.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "math/vector.h"
+#include "tables/describe.h"
+
+namespace facet::tables {
+
+using math::Extent;
+using Text = std::string;
+using Number = float;
+using OptionalNumber = std::optional<float>;
+using Count = std::uint32_t;
+using Flag = bool;
+using List = std::vector<std::string>;  ///< comma-separated on the command line unless repeatable
+
+struct Settings {
+#define SETTING(type, name, initial, ...) type name = initial;
+#include "tables/settings.def"
+};
+
+/// One row of settings.def.
+struct Setting {
+    std::string_view key;
+    std::variant<Extent Settings::*, Text Settings::*, Number Settings::*, OptionalNumber Settings::*,
+                 Count Settings::*, Flag Settings::*, List Settings::*>
+        field;
+    Range range{};
+    std::string_view value = {};  ///< what stands for the value in help
+    std::string_view group;
+    bool repeatable = false;
+    std::string_view help;
+};
+inline constexpr auto settings = std::to_array<Setting>({
+#define SETTING(type, name, initial, ...) {.key = #name, .field = &Settings::name, __VA_ARGS__},
+#include "tables/settings.def"
+});
+
+}  // namespace facet::tables
