@@ -1,0 +1,29 @@
+# What `cmake --install` puts where, and what an installed program knows of itself.
+include(GNUInstallDirs)
+
+if(TARGET facet_cli)
+  get_target_property(kind facet_cli TYPE)
+  if(kind STREQUAL "STATIC_LIBRARY")
+    target_compile_definitions(facet_cli PUBLIC FACET_VERSION="${PROJECT_VERSION}")
+  endif()
+endif()
+
+if(TARGET facet)
+  install(TARGETS facet RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  if(TARGET facet-bench)
+    install(TARGETS facet-bench RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  endif()
+  if(TARGET facet_oiio)  # the program looks for its modules in ../lib/facet
+    install(TARGETS facet_oiio LIBRARY DESTINATION lib/facet)
+  endif()
+  foreach(room base math tables image brdf scene gl frame render)
+    get_target_property(kind facet_${room} TYPE)
+    if(kind STREQUAL "STATIC_LIBRARY")
+      install(TARGETS facet_${room} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+    endif()
+    install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/${room} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/facet
+            FILES_MATCHING PATTERN "*.h" PATTERN "*.def")
+  endforeach()
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/glsl ${PROJECT_SOURCE_DIR}/resources
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/facet)
+endif()

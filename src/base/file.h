@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/result.h"
+
 #include <cstddef>
 #include <filesystem>
 #include <span>
@@ -9,19 +11,18 @@
 #include <string_view>
 #include <vector>
 
-#include "base/result.h"
-
 namespace facet::base {
 
 using Bytes = std::vector<std::byte>;
 
-/// The whole of a regular file. Errors: input_invalid (errno's text, "is a directory", "not a regular file"),
-/// limit_reached above `max_bytes`. Never blocks on a FIFO or device.
+/// The whole of a regular file. Errors: input_invalid (errno's text, "is a directory", "not a
+/// regular file"), limit_reached above `max_bytes`. Never blocks on a FIFO or device.
 [[nodiscard]] Result<Bytes> read_file(const std::filesystem::path& path, std::size_t max_bytes);
 
-/// The whole of a file below `folder`, for a `relative` path that came from another file. Refuses with
-/// input_invalid whatever leaves the folder after resolving `..` and symbolic links, and whatever is not a
-/// regular file; `allowed` are further folders that may be read (--allow-read). No search path, no network.
+/// The whole of a file below `folder`, for a `relative` path that came from another file. Refuses
+/// with input_invalid whatever leaves the folder after resolving `..` and symbolic links, and
+/// whatever is not a regular file; `allowed` are further folders that may be read (--allow-read).
+/// No search path, no network.
 [[nodiscard]] Result<Bytes> read_file_beneath(const std::filesystem::path& folder,
                                               std::string_view relative,
                                               std::span<const std::filesystem::path> allowed,
@@ -34,8 +35,9 @@ using Bytes = std::vector<std::byte>;
 /// Errors: usage (no such folder), input_invalid (not writable).
 [[nodiscard]] Status check_writable(const std::filesystem::path& path);
 
-/// Writes `bytes` to a temporary name beside `path`, syncs, renames. On any error the old file is untouched
-/// and no temporary is left. Errors: temporary (disk full, fsync), input_invalid (not writable).
+/// Writes `bytes` to a temporary name beside `path`, syncs, renames. On any error the old file is
+/// untouched and no temporary is left. Errors: temporary (disk full, fsync), input_invalid (not
+/// writable).
 [[nodiscard]] Status write_file_atomically(const std::filesystem::path& path,
                                            std::span<const std::byte> bytes);
 

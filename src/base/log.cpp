@@ -26,11 +26,20 @@ Log& Log::operator=(Log&&) noexcept = default;
 void Log::write(LogLevel level, std::string_view message) {
     if (!shows(level)) return;
     switch (level) {
-        case LogLevel::debug: sink_->logger.debug("facet: {}", message); break;
-        case LogLevel::info: sink_->logger.info("facet: {}", message); break;
-        case LogLevel::warn: sink_->logger.warn("facet: warning: {}", message); break;
-        case LogLevel::error: sink_->logger.error("facet: {}", message); break;
-        case LogLevel::off: break;
+        case LogLevel::debug:
+            sink_->logger.debug("facet: {}", message);
+            break;
+        case LogLevel::info:
+            sink_->logger.info("facet: {}", message);
+            break;
+        case LogLevel::warn:
+            sink_->logger.warn("facet: warning: {}", message);
+            break;
+        case LogLevel::error:
+            sink_->logger.error("facet: {}", message);
+            break;
+        case LogLevel::off:
+            break;
     }
 }
 

@@ -15,9 +15,12 @@ fs::path program_folder() {
 Result<fs::path> data_folder() {
     std::error_code error;
     const fs::path program = program_folder();
-    // An installed program is PREFIX/bin; a build tree lies inside the sources, or knows where they were.
-    for (const fs::path& folder : {program / "../share/facet", program / "..", fs::path(FACET_SOURCE_FOLDER)})
-        if (fs::is_directory(folder / "glsl/brdf", error) && fs::is_directory(folder / "resources", error))
+    // An installed program is PREFIX/bin; a build tree lies inside the sources, or knows where they
+    // were.
+    for (const fs::path& folder :
+         {program / "../share/facet", program / "..", fs::path(FACET_SOURCE_FOLDER)})
+        if (fs::is_directory(folder / "glsl/brdf", error) &&
+            fs::is_directory(folder / "resources", error))
             return fs::weakly_canonical(folder, error);
     return fail({.code = ErrorCode::internal,
                  .file = program.string(),

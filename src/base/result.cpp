@@ -23,13 +23,20 @@ std::string line(std::string_view file, std::string_view where, std::string_view
 
 int exit_code(ErrorCode code) noexcept {
     switch (code) {
-        case ErrorCode::usage: return 2;
-        case ErrorCode::input_invalid: return 3;
-        case ErrorCode::feature_missing: return 4;
-        case ErrorCode::limit_reached: return 5;
-        case ErrorCode::no_backend: return 6;
-        case ErrorCode::internal: return 70;
-        case ErrorCode::temporary: return 75;
+        case ErrorCode::usage:
+            return 2;
+        case ErrorCode::input_invalid:
+            return 3;
+        case ErrorCode::feature_missing:
+            return 4;
+        case ErrorCode::limit_reached:
+            return 5;
+        case ErrorCode::no_backend:
+            return 6;
+        case ErrorCode::internal:
+            return 70;
+        case ErrorCode::temporary:
+            return 75;
     }
     return 70;
 }

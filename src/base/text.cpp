@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "base/text.h"
 
+#include <spdlog/fmt/fmt.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <numeric>
 #include <utility>
-
-#include <spdlog/fmt/fmt.h>
 
 namespace facet::base {
 namespace {
@@ -52,9 +52,8 @@ std::string escaped(std::string_view text, std::size_t max_length) {
             text.remove_prefix(1);
         } else {
             if (is_unsafe(c.value))
-                out += c.value < 0x100
-                           ? fmt::format("\\x{:02x}", static_cast<unsigned>(c.value))
-                           : fmt::format("\\u{:04x}", static_cast<unsigned>(c.value));
+                out += c.value < 0x100 ? fmt::format("\\x{:02x}", static_cast<unsigned>(c.value))
+                                       : fmt::format("\\u{:04x}", static_cast<unsigned>(c.value));
             else
                 out += text.substr(0, c.length);
             text.remove_prefix(c.length);
@@ -123,7 +122,7 @@ std::string join(std::span<const std::string> parts, std::string_view separator)
 }
 
 std::optional<double> parse_number(std::string_view text) {
-    if (text.starts_with('+')) text.remove_prefix(1);
+    if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
     double number = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
     if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(number))

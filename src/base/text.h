@@ -1,5 +1,5 @@
-// Text helpers: printing what comes from files safely, and the nearest right names for a misspelt one.
-// SPDX-License-Identifier: MIT
+// Text helpers: printing what comes from files safely, and the nearest right names for a misspelt
+// one. SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstddef>
@@ -11,15 +11,15 @@
 
 namespace facet::base {
 
-/// `text` safe to print: control characters, bidirectional controls and invalid UTF-8 become \x.. or \u....;
-/// cut at `max_length` bytes with "...".
+/// `text` safe to print: control characters, bidirectional controls and invalid UTF-8 become \x..
+/// or \u....; cut at `max_length` bytes with "...".
 [[nodiscard]] std::string escaped(std::string_view text, std::size_t max_length = 120);
 
 /// Levenshtein distance, in bytes.
 [[nodiscard]] std::size_t edit_distance(std::string_view a, std::string_view b);
 
-/// The names nearest to `name`, nearest first: edit distance at most 2 (3 for names over 8 bytes), or a
-/// name that `name` is the beginning of. At most `most`.
+/// The names nearest to `name`, nearest first: edit distance at most 2 (3 for names over 8 bytes),
+/// or a name that `name` is the beginning of. At most `most`.
 [[nodiscard]] std::vector<std::string> nearest(std::string_view name,
                                                std::span<const std::string> names,
                                                std::size_t most = 3);

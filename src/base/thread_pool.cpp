@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <exception>
+#include <system_error>
 
 namespace facet::base {
 
@@ -13,11 +15,17 @@ struct ThreadPool::Loop {
     std::atomic<std::size_t> next{0};
     unsigned helpers = 0;  ///< workers inside; guarded by mutex_
     std::condition_variable done;
+    std::atomic_flag failed;
+    std::exception_ptr failure;  ///< written by whoever set `failed`; read when no worker is inside
 };
 
 ThreadPool::ThreadPool(unsigned thread_count) {
     if (thread_count == 0) thread_count = std::max(1U, std::thread::hardware_concurrency());
-    for (unsigned i = 1; i < thread_count; ++i) threads_.emplace_back([this] { work(); });
+    try {
+        for (unsigned i = 1; i < thread_count; ++i) threads_.emplace_back([this] { work(); });
+    } catch (const std::system_error&) {
+        // A limit on threads: the work gets done by those that there are.
+    }
 }
 
 ThreadPool::~ThreadPool() {
@@ -30,11 +38,16 @@ ThreadPool::~ThreadPool() {
 }
 
 void ThreadPool::run(Loop& loop) {
-    for (std::size_t i = loop.next++; i < loop.count; i = loop.next++) loop.task(i);
+    try {
+        for (std::size_t i = loop.next++; i < loop.count; i = loop.next++) loop.task(i);
+    } catch (...) {
+        if (!loop.failed.test_and_set()) loop.failure = std::current_exception();
+        loop.next = loop.count;
+    }
 }
 
 void ThreadPool::parallel_for(std::size_t count, const std::function<void(std::size_t)>& task) {
-    Loop loop{.task = task, .count = count, .done = {}};
+    Loop loop{.task = task, .count = count, .done = {}, .failed = {}, .failure = {}};
     const bool shared = count > 1 && !threads_.empty();
     if (shared) {
         {
@@ -44,10 +57,12 @@ void ThreadPool::parallel_for(std::size_t count, const std::function<void(std::s
         wake_.notify_all();
     }
     run(loop);
-    if (!shared) return;
-    std::unique_lock lock(mutex_);
-    std::erase(loops_, &loop);
-    loop.done.wait(lock, [&] { return loop.helpers == 0; });
+    if (shared) {
+        std::unique_lock lock(mutex_);
+        std::erase(loops_, &loop);
+        loop.done.wait(lock, [&] { return loop.helpers == 0; });
+    }
+    if (loop.failure) std::rethrow_exception(loop.failure);
 }
 
 void ThreadPool::work() {

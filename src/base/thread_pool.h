@@ -12,10 +12,11 @@
 
 namespace facet::base {
 
-/// A fixed set of worker threads. Tasks must not throw.
+/// A fixed set of worker threads.
 class ThreadPool {
 public:
-    /// `thread_count` 0 means one per core. The calling thread of parallel_for works too, so `thread_count`
+    /// `thread_count` 0 means one per core; where the system refuses so many, fewer are started.
+    /// The calling thread of parallel_for works too, so `thread_count`
     /// - 1 threads are started, and none for 1.
     explicit ThreadPool(unsigned thread_count = 0);
     ~ThreadPool();
@@ -26,8 +27,10 @@ public:
         return static_cast<unsigned>(threads_.size()) + 1;
     }
 
-    /// Calls `task(i)` for every i in [0, count), each once, in any order and on any thread, and returns when
-    /// all are done. Results must go to disjoint slots. May be called from several threads, not from a task.
+    /// Calls `task(i)` for every i in [0, count), each once, in any order and on any thread, and
+    /// returns when all are done. Results must go to disjoint slots. May be called from several
+    /// threads, not from a task. What a task throws (out of memory) ends the loop early and is
+    /// thrown here.
     void parallel_for(std::size_t count, const std::function<void(std::size_t)>& task);
 
 private:

@@ -32,7 +32,8 @@ struct Times {
 
 /// A finished picture.
 struct Rendered {
-    image::Image display;              ///< RGBA u8 or u16 (--depth 16), sRGB-encoded, straight alpha
+    math::Extent size;
+    image::Image display;              ///< RGBA u8 or u16 (--depth 16), sRGB-encoded, straight alpha; empty for want_linear
     std::vector<image::Layer> layers;  ///< f32: beauty "" first (want_linear only), then the AOVs asked for
     double exposure = 1.0;             ///< the factor used
     std::string backend;               ///< "egl (llvmpipe (LLVM 15.0.6, 256 bits))"

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <span>
@@ -40,6 +41,9 @@ struct Loaded {
 [[nodiscard]] base::Result<Loaded> load_bytes(std::span<const std::byte> bytes, const std::string& label,
                                               const LoadOptions& options, const base::Limits& limits,
                                               base::ThreadPool& pool);
+
+/// What can follow "builtin:", sorted.
+[[nodiscard]] std::vector<std::string> builtin_scene_names();
 
 /// One finding of `facet check`, in the words and codes of the Khronos glTF-Validator.
 struct Finding {

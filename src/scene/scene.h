@@ -72,7 +72,9 @@ struct Mesh {
     math::Bounds bounds_m;          ///< of positions_m
 };
 
-/// A mesh placed in the world.
+/// A mesh placed in the world. Where world_from_object mirrors (negative determinant) the importer has turned
+/// the mesh's triangles and handedness round already, in a copy of its own: as placed, counter-clockwise is
+/// front and bitangent = w cross(n, t), always. Skinned meshes are in world space at their rest pose.
 struct Instance {
     MeshId mesh;
     Mat4 world_from_object{1.0F};

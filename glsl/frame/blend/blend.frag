@@ -1,0 +1,24 @@
+// Alpha-blended surfaces, shaded forward and laid over what is there; associated alpha.
+#include "shared/view.h"
+#include "shared/draw.h"
+layout(std140) uniform ViewBlock { View view; };
+layout(std140) uniform DrawBlock { Draw draw; };
+#include "lib/material.glsl"
+#include "frame/lighting/shade.glsl"
+
+in vec3 vertex_position_m;
+layout(location = 0) out vec4 out_radiance;
+
+void main() {
+    Surface s = fetch_surface();
+    ShadePoint p;
+    p.position_m = vertex_position_m;
+    p.normal = s.normal;
+    p.to_eye = view.eye_m.w > 0.5 ? normalize(view.eye_m.xyz - vertex_position_m) : -view.forward.xyz;
+    p.base_color = s.base_color;
+    p.metallic = s.metallic;
+    p.roughness = s.roughness;
+    p.ao = s.ao;
+    vec3 radiance = mix(shade(p), s.base_color, float(draw.ids.z)) + s.emissive_nit;
+    out_radiance = vec4(radiance * s.opacity, s.opacity);
+}

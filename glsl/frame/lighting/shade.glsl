@@ -1,0 +1,93 @@
+// Light on one surface point: every light, and the environment. Used by the lighting pass and the blend pass.
+#include "generated/brdf.glsl"
+#include "light/directional.glsl"
+#include "light/point.glsl"
+#include "light/spot.glsl"
+
+uniform samplerCube radiance_cube;   // prefiltered; see frame/environment/bake.h
+uniform sampler2D albedo_table;      // A, B of the split sum and average E; see brdf/albedo.h
+uniform samplerBuffer lights;        // three texels a light, see frame/lighting/light_lists.h
+#if FACET_LOCAL_LIGHTS
+uniform usamplerBuffer light_tiles;    // first, count
+uniform usamplerBuffer light_indices;
+#endif
+
+struct ShadePoint {
+    vec3 position_m;
+    vec3 normal;
+    vec3 to_eye;
+    vec3 base_color;
+    float metallic;
+    float roughness;
+    float ao;
+};
+
+// Below this cosine the surface is seen edge on; a shading normal may even turn away.
+const float N_DOT_V_MIN = 1e-3;
+// A tile is this many pixels wide and high; frame/lighting/light_lists.h has the same number.
+const uint TILE_PX = 16u;
+
+vec3 sh_irradiance(vec3 n) {
+    vec3 e = view.irradiance_sh[0].rgb;
+    e += view.irradiance_sh[1].rgb * n.y + view.irradiance_sh[2].rgb * n.z + view.irradiance_sh[3].rgb * n.x;
+    e += view.irradiance_sh[4].rgb * (n.x * n.y) + view.irradiance_sh[5].rgb * (n.y * n.z);
+    e += view.irradiance_sh[6].rgb * (3.0 * n.z * n.z - 1.0) + view.irradiance_sh[7].rgb * (n.x * n.z);
+    e += view.irradiance_sh[8].rgb * (n.x * n.x - n.y * n.y);
+    return max(e, vec3(0.0));
+}
+
+vec3 lit_by(ShadePoint p, BrdfView brdf, vec3 to_light, vec3 illuminance) {
+    float n_dot_l = clamp(dot(p.normal, to_light), 0.0, 1.0);
+    vec3 sum = p.to_eye + to_light;
+    vec3 h = sum * inversesqrt(max(dot(sum, sum), 1e-12));
+    float n_dot_h = clamp(dot(p.normal, h), 0.0, 1.0);
+    float v_dot_h = clamp(dot(p.to_eye, h), 0.0, 1.0);
+#if FACET_BRDF_NEEDS_E_L
+    vec2 at = albedo_coordinates(n_dot_l, max(p.roughness, ROUGHNESS_MIN));
+    vec2 a_b = textureLod(albedo_table, at, 0.0).xy;
+    BrdfValue f = brdf_light(brdf, n_dot_l, n_dot_h, v_dot_h, a_b.x + a_b.y);
+#else
+    BrdfValue f = brdf_light(brdf, n_dot_l, n_dot_h, v_dot_h, 1.0);
+#endif
+    return (f.diffuse + f.specular) * illuminance * n_dot_l;
+}
+
+vec3 shade(ShadePoint p) {
+    float n_dot_v = clamp(dot(p.normal, p.to_eye), N_DOT_V_MIN, 1.0);
+    // ROUGHNESS_MIN keeps D within half floats where lights are points (physics: choices, 5).
+    BrdfSurface surface = brdf_surface(p.base_color, p.metallic, max(p.roughness, ROUGHNESS_MIN));
+    vec3 albedo = textureLod(albedo_table, albedo_coordinates(n_dot_v, surface.roughness), 0.0).xyz;
+    BrdfView brdf = brdf_view(surface, n_dot_v, albedo);
+
+    vec3 radiance = vec3(0.0);
+#if FACET_ENVIRONMENT
+    BrdfValue w = brdf_environment(brdf);
+    vec3 mirrored = reflect(-p.to_eye, p.normal);
+    float level = p.roughness * view.environment.x;
+    vec3 prefiltered = textureLod(radiance_cube, mirrored, level).rgb;
+    radiance = (w.diffuse * sh_irradiance(p.normal) + w.specular * prefiltered) * p.ao;
+#endif
+    for (uint i = 0u; i < view.light_counts.x; ++i) {
+        int texel = int(i) * 3;
+        vec3 intensity_lux = texelFetch(lights, texel + 1).rgb;
+        vec3 direction = texelFetch(lights, texel + 2).xyz;
+        radiance += lit_by(p, brdf, -direction, light_directional(intensity_lux));
+    }
+#if FACET_LOCAL_LIGHTS
+    uvec2 tile = uvec2(gl_FragCoord.xy) / TILE_PX;
+    uvec2 list = texelFetch(light_tiles, int(tile.y * view.light_counts.z + tile.x)).xy;
+    for (uint i = 0u; i < list.y; ++i) {
+        int texel = int(texelFetch(light_indices, int(list.x + i)).x) * 3;
+        vec4 position_range = texelFetch(lights, texel);
+        vec4 intensity_scale = texelFetch(lights, texel + 1);
+        vec4 direction_offset = texelFetch(lights, texel + 2);
+        vec3 to_light = position_range.xyz - p.position_m;
+        float d2 = dot(to_light, to_light);
+        to_light *= inversesqrt(max(d2, 1e-12));
+        float cone = light_spot(-dot(to_light, direction_offset.xyz), intensity_scale.w, direction_offset.w);
+        vec3 illuminance = light_point(intensity_scale.rgb, d2, position_range.w) * cone;
+        radiance += lit_by(p, brdf, to_light, illuminance);
+    }
+#endif
+    return radiance;
+}

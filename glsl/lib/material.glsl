@@ -1,0 +1,92 @@
+// From a fragment's interpolated values to the numbers the BRDF takes: textures times factors.
+// Needs DrawBlock's `draw`, the outputs of gbuffer.vert and the FACET_ switches of frame/upload/material_key.h.
+struct Surface {
+    vec3 base_color;
+    float opacity;
+    vec3 normal;
+    float metallic;
+    float roughness;
+    float ao;
+    vec3 emissive_nit;
+};
+
+in vec3 vertex_normal;
+#if FACET_NORMAL_MAP
+in vec4 vertex_tangent;
+#endif
+in vec2 vertex_uv0;
+#if FACET_UV_GENERAL
+in vec2 vertex_uv1;
+#endif
+#if FACET_VERTEX_COLOR
+in vec4 vertex_color;
+#endif
+
+uniform sampler2D base_color_texture;
+uniform sampler2D metallic_roughness_texture;
+uniform sampler2D normal_texture;
+uniform sampler2D occlusion_texture;
+uniform sampler2D emissive_texture;
+
+vec2 slot_uv(int slot) {
+#if FACET_UV_GENERAL
+    vec4 row_u = draw.uv_rows[slot * 2];
+    vec4 row_v = draw.uv_rows[slot * 2 + 1];
+    vec3 uv = vec3(row_u.w > 0.5 ? vertex_uv1 : vertex_uv0, 1.0);
+    return vec2(dot(row_u.xyz, uv), dot(row_v.xyz, uv));
+#else
+    return vertex_uv0;
+#endif
+}
+
+vec3 shading_normal() {
+    // The back of a double-sided surface is lit as its front is: the normal turns to the viewer.
+    float side = gl_FrontFacing ? 1.0 : -1.0;
+    vec3 n = normalize(vertex_normal);
+#if FACET_NORMAL_MAP
+    vec2 xy = (texture(normal_texture, slot_uv(2)).xy * 2.0 - 1.0) * draw.metallic_roughness_normal_ao.z;
+    // z is rebuilt: exact for unit normals, and right for maps that store two channels only.
+    float z = sqrt(max(1.0 - dot(xy, xy), 1e-4));
+    vec3 t = vertex_tangent.xyz - n * dot(n, vertex_tangent.xyz);
+    float t_length = length(t);
+    if (t_length > 1e-6) {
+        t /= t_length;
+        vec3 b = cross(n, t) * vertex_tangent.w;
+        n = normalize(t * xy.x + b * xy.y + n * z);
+    }
+#endif
+    return n * side;
+}
+
+Surface fetch_surface() {
+    Surface s;
+    vec4 base = draw.base_color_opacity;
+#if FACET_VERTEX_COLOR
+    base *= vertex_color;
+#endif
+#if FACET_BASE_COLOR_TEXTURE
+    base *= texture(base_color_texture, slot_uv(0));
+#endif
+    s.base_color = base.rgb;
+    s.opacity = base.a;
+    s.metallic = draw.metallic_roughness_normal_ao.x;
+    s.roughness = draw.metallic_roughness_normal_ao.y;
+    s.ao = 1.0;
+#if FACET_METALLIC_ROUGHNESS_TEXTURE
+    vec3 orm = texture(metallic_roughness_texture, slot_uv(1)).rgb;
+    s.metallic *= orm.b;
+    s.roughness *= orm.g;
+#if FACET_OCCLUSION_PACKED
+    s.ao = mix(1.0, orm.r, draw.metallic_roughness_normal_ao.w);
+#endif
+#endif
+#if FACET_OCCLUSION_TEXTURE
+    s.ao = mix(1.0, texture(occlusion_texture, slot_uv(3)).r, draw.metallic_roughness_normal_ao.w);
+#endif
+    s.emissive_nit = draw.emissive_nit_cutoff.rgb;
+#if FACET_EMISSIVE_TEXTURE
+    s.emissive_nit *= texture(emissive_texture, slot_uv(4)).rgb;
+#endif
+    s.normal = shading_normal();
+    return s;
+}

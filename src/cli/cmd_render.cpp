@@ -1,0 +1,167 @@
+// facet render: one picture of a scene.
+// SPDX-License-Identifier: MIT
+#include "base/text.h"
+#include "cli/flags.h"
+#include "cli/output_gate.h"
+#include "cli/setting_flags.h"
+#include "image/write.h"
+#include "render/render.h"
+
+#include <fcntl.h>
+#include <nlohmann/json.hpp>
+#include <spdlog/fmt/fmt.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+
+namespace facet::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using base::ErrorCode;
+using base::fail;
+using base::Result;
+using Clock = std::chrono::steady_clock;
+
+struct RenderOptions {
+    std::string scene;
+    std::string output;
+    OutputRules rules;
+    bool show_reads = false;
+    TypedSettings typed;
+};
+
+/// `SCENE.png` in the current folder.
+std::string default_output(const std::string& scene) {
+    if (scene == "-") return "stdin.png";
+    constexpr std::string_view builtin = "builtin:";
+    if (scene.starts_with(builtin)) return scene.substr(builtin.size()) + ".png";
+    return fs::path(scene).stem().string() + ".png";
+}
+
+base::Status check_standard_input() {
+    const int mode = ::fcntl(STDIN_FILENO, F_GETFL);
+    if (mode < 0 || (mode & O_ACCMODE) == O_WRONLY)
+        return fail({.code = ErrorCode::usage,
+                     .file = "-",
+                     .what = "standard input is closed",
+                     .remedy = "give a file"});
+    if (::isatty(STDIN_FILENO) == 1)
+        return fail({.code = ErrorCode::usage,
+                     .file = "-",
+                     .what = "standard input is a terminal",
+                     .remedy = "give a file"});
+    return {};
+}
+
+/// Everything that is wrong with the request and can be known before it is begun.
+base::Status check(const RenderOptions& options, const tables::Settings& settings, const Io& io) {
+    if (options.scene.empty())
+        return fail({.code = ErrorCode::usage,
+                     .what = "no scene given",
+                     .remedy = "facet render SCENE, for example builtin:showcase"});
+    if (options.scene == "-")
+        if (auto input = check_standard_input(); !input) return input;
+    if (options.output != "-")
+        return check_output(options.output, options.rules,
+                            std::vector{options.scene, settings.env});
+    if (io.json)
+        return fail({.code = ErrorCode::usage,
+                     .file = "--json",
+                     .what = "excludes -o -",
+                     .remedy = "standard output can hold the picture or the result, not both"});
+    if (!settings.aov.empty())
+        return fail({.code = ErrorCode::usage,
+                     .file = "--aov",
+                     .what = "excludes -o -",
+                     .remedy = "give a file"});
+    if (io.out_is_terminal())
+        return fail({.code = ErrorCode::usage,
+                     .file = "-",
+                     .what = "standard output is a terminal",
+                     .remedy = "send it to a file or a pipe"});
+    return {};
+}
+
+nlohmann::ordered_json result_object(const std::string& output, const render::Rendered& r) {
+    nlohmann::ordered_json warnings = nlohmann::ordered_json::array();
+    for (const base::Warning& warning : r.warnings) warnings.push_back(warning_object(warning));
+    return {{"facet", 1},
+            {"output", output},
+            {"width", r.display.size.width},
+            {"height", r.display.size.height},
+            {"exposure", r.exposure},
+            {"ms",
+             {{"load", r.ms.load},
+              {"upload", r.ms.upload},
+              {"render", r.ms.render},
+              {"write", r.ms.write}}},
+            {"backend", r.backend},
+            {"triangles", r.triangles},
+            {"materials", r.materials},
+            {"warnings", warnings}};
+}
+
+Result<render::Rendered> render_to_stdout(const render::Request& request, base::Log& log, Io& io) {
+    auto rendered = render::render(request, log);
+    if (!rendered) return rendered;
+    const bool deep = rendered->display.sample == image::Sample::u16;
+    const auto png = image::encode(
+        rendered->display, {.depth = deep ? image::Depth::u16 : image::Depth::u8, .metadata = {}});
+    if (!png) return tl::unexpected(png.error());
+    io.print_bytes(*png);
+    return rendered;
+}
+
+Result<Exit> run_render(const RenderOptions& options, Io& io) {
+    const auto start = Clock::now();
+    const auto settings = options.typed.read();
+    if (!settings) return tl::unexpected(settings.error());
+    if (auto checked = check(options, *settings, io); !checked)
+        return tl::unexpected(checked.error());
+    render::Request request{.scene = options.scene, .settings = *settings};
+    base::Log log = io.log();
+    const bool to_stdout = options.output == "-";
+    const auto rendered = to_stdout ? render_to_stdout(request, log, io)
+                                    : render::render_to_file(request, options.output, log);
+    if (!rendered) return tl::unexpected(rendered.error());
+    io.warn(rendered->warnings, false);
+    if (options.show_reads)
+        for (const fs::path& path : rendered->reads)
+            io.note("reads " + base::escaped(path.string(), 4096));
+    if (to_stdout) return Exit::done;
+    const std::chrono::duration<double> took = Clock::now() - start;
+    if (io.json)
+        io.print_object(result_object(options.output, *rendered));
+    else
+        io.print(fmt::format("{}  {}x{}  {:.2f} s", base::escaped(options.output, 4096),
+                             rendered->display.size.width, rendered->display.size.height,
+                             took.count()));
+    return Exit::done;
+}
+
+}  // namespace
+
+void add_render(Declaration& command) {
+    auto options = std::make_shared<RenderOptions>();
+    auto& flags = command.flags;
+    flags.push_back({"SCENE", &options->scene, "", "",
+                     ".gltf, .glb, - (GLB on standard input) or builtin:NAME; --list scenes"});
+    flags.push_back({"-o,--output", &options->output, "FILE", "Output",
+                     ".png .exr .hdr .jpg .webp .tiff; - is PNG on standard output (SCENE.png)"});
+    flags.push_back(
+        {"--mkdirs", &options->rules.make_folders, "", "Output", "makes the folder of the output"});
+    flags.push_back(
+        {"--no-clobber", &options->rules.keep_existing, "", "Output", "refuses to replace a file"});
+    flags.push_back(
+        {"--show-reads", &options->show_reads, "", "Output", "tells every file that was opened"});
+    options->typed.declare(flags);
+    command.job = [options](Io& io) {
+        if (options->output.empty()) options->output = default_output(options->scene);
+        return run_render(*options, io);
+    };
+}
+
+}  // namespace facet::cli

@@ -1,0 +1,107 @@
+// The longer help: facet help TOPIC, written from the tables where a table knows.
+// SPDX-License-Identifier: MIT
+#include "base/text.h"
+#include "cli/help.h"
+#include "cli/setting_flags.h"
+#include "tables/aovs.h"
+#include "tables/exit_codes.h"
+#include "tables/lights.h"
+#include "tables/material.h"
+
+#include <spdlog/fmt/fmt.h>
+
+namespace facet::cli {
+namespace {
+
+std::string lights() {
+    std::string out =
+        "Example: facet render a.glb --light \"directional:azimuth=30,elevation=45,lux=3\"\n\n"
+        "--light KIND:key=value,... adds a light; give it again for more. --no-file-lights drops "
+        "the file's own.\n"
+        "azimuth 0 is light from +z, 90 from +x; elevation 90 from above. Degrees, metres; vectors "
+        "as \"x y z\".\n"
+        "color is #rrggbb or \"r g b\" linear; temperature is in kelvin. inner and outer are half "
+        "angles of a cone.\n\n";
+    for (const auto& row : tables::light_kinds)
+        out += fmt::format("{:<12} {} Unit: {}.\n{:<12} keys: {}\n", row.key, row.help, row.unit,
+                           "", row.keys);
+    return out;
+}
+
+std::string cameras() {
+    return "Example: facet render a.glb --camera orbit:azimuth=30,elevation=15\n\n"
+           "--camera auto       the file's first camera, or one framed on the model (the default)\n"
+           "--camera NAME       a camera of the file, by its name or its node's; --camera 2 by "
+           "index\n"
+           "--camera orbit:...  azimuth, elevation in degrees (where the eye is: 0 is +z, 90 is "
+           "+x, 90 up is above),\n"
+           "                    distance in metres (default: fits the model), target \"x y z\" "
+           "(default: its middle)\n"
+           "--fov DEG           vertical angle of view; it stays when the picture's shape differs "
+           "from the camera's\n"
+           "facet render a.glb --list cameras  names the cameras of a file\n";
+}
+
+std::string set() {
+    std::string out =
+        "Example: facet render a.glb --set material.Helmet.roughness=0.4 --set "
+        "material.*.metallic=1\n\n"
+        "--set PATH=VALUE changes the scene before it is rendered; give it again for more. A PATH "
+        "is\n"
+        "material.NAME.KEY, material.*.KEY for all, or material[3].KEY by index; light.NAME.KEY "
+        "likewise.\n"
+        "A number is a factor: a texture still multiplies it. KEY_texture=none drops a "
+        "texture.\n\n";
+    for (const auto& row : tables::material_params)
+        out += fmt::format("  {:<20} {:>5} .. {:<8} {}\n", row.key, row.range.low, row.range.high,
+                           row.help);
+    for (const auto& row : tables::material_textures)
+        out += fmt::format("  {:<36} {}\n", fmt::format("{}=none", row.key), row.help);
+    return out;
+}
+
+std::string aovs() {
+    std::string out =
+        "Example: facet render a.glb -o a.exr --aov albedo,normal,depth\n\n"
+        "--aov LIST or --aov all: further outputs. Into an EXR as layers NAME.CHANNEL, beside "
+        "other formats as\n"
+        "STEM.NAME.png. Ids and depth are never averaged.\n\n";
+    for (const auto& row : tables::aovs)
+        out += fmt::format("  {:<14} {:<5} {}\n", row.key, row.channels, row.help);
+    return out;
+}
+
+std::string exit_codes() {
+    std::string out = "Example: facet render a.glb || echo \"ended with $?\"\n\n";
+    for (const auto& row : tables::exit_codes)
+        out += fmt::format("  {:>3}  {:<16} {}\n", row.number, row.key, row.help);
+    return out;
+}
+
+struct Topic {
+    std::string_view name;
+    std::string (*text)();
+};
+constexpr Topic topics[] = {{"lights", lights},
+                            {"cameras", cameras},
+                            {"set", set},
+                            {"aovs", aovs},
+                            {"exit-codes", exit_codes}};
+
+}  // namespace
+
+base::Result<std::string> topic_help(const std::string& topic) {
+    std::vector<std::string> names;
+    for (const Topic& one : topics) {
+        if (one.name == topic) return one.text();
+        names.emplace_back(one.name);
+    }
+    const auto close = base::nearest(topic, names);
+    return base::fail({.code = base::ErrorCode::usage,
+                       .file = topic,
+                       .what = "no such topic",
+                       .remedy = close.empty() ? "topics: " + base::join(names, ", ")
+                                               : "did you mean " + base::join(close, ", ")});
+}
+
+}  // namespace facet::cli

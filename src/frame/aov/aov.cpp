@@ -1,0 +1,97 @@
+// Further outputs: each AOV's expression, evaluated over the G-buffer.
+// SPDX-License-Identifier: MIT
+#include "frame/aov/aov.h"
+
+#include <limits>
+
+#include <spdlog/fmt/fmt.h>
+
+#include "frame/output/output.h"
+
+namespace facet::frame {
+namespace {
+
+enum Unit : GLuint { albedo_unit = 0, normal_unit, metal_unit, depth_unit, emissive_unit, ids_unit };
+
+const tables::AovRow& row_of(tables::Aov aov) { return tables::aovs[static_cast<std::size_t>(aov)]; }
+
+}  // namespace
+
+base::Result<gl::Program> AovPass::make(const gl::Context& gl, tables::Aov aov) const {
+    auto program = gl::build_program(gl, *sources_,
+                                     {"frame/full_screen.vert", "frame/aov/aov.frag",
+                                      fmt::format("#define FACET_AOV {}\n", row_of(aov).glsl)});
+    if (!program) return program;
+    gl::bind_block(gl, *program, "ViewBlock", view_binding);
+    gl::bind_sampler(gl, *program, "gbuffer_albedo", albedo_unit);
+    gl::bind_sampler(gl, *program, "gbuffer_normal", normal_unit);
+    gl::bind_sampler(gl, *program, "gbuffer_metal_rough_ao", metal_unit);
+    gl::bind_sampler(gl, *program, "gbuffer_depth", depth_unit);
+    gl::bind_sampler(gl, *program, "gbuffer_emissive", emissive_unit);
+    gl::bind_sampler(gl, *program, "gbuffer_ids", ids_unit);
+    return program;
+}
+
+base::Result<std::vector<AovTarget>> AovPass::make_targets(const gl::Context& gl,
+                                                           const std::vector<tables::Aov>& aovs,
+                                                           const RadianceTarget& radiance) const {
+    std::vector<AovTarget> targets;
+    for (const tables::Aov aov : aovs) {
+        AovTarget target;
+        target.aov = aov;
+        auto sum = gl::make_texture(gl, {.format = GL_RGBA32F, .size = radiance.size});
+        if (!sum) return tl::unexpected(sum.error());
+        target.sum = std::move(*sum);
+        const std::array<const gl::Texture*, 1> colors = {&target.sum};
+        auto framebuffer = gl::make_framebuffer(gl, colors, &radiance.depth);
+        if (!framebuffer) return tl::unexpected(framebuffer.error());
+        target.framebuffer = std::move(*framebuffer);
+        const std::array<float, 4> zero{};
+        gl.api().BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.name());
+        gl.api().ClearBufferfv(GL_COLOR, 0, zero.data());
+        targets.push_back(std::move(target));
+    }
+    return targets;
+}
+
+base::Status AovPass::run(const gl::Context& gl, const GBuffer& gbuffer, tables::Average average,
+                          const gl::VertexArray& empty, math::Extent size,
+                          const std::vector<AovTarget>& targets) {
+    for (const AovTarget& target : targets) {
+        if (row_of(target.aov).average != average) continue;
+        const auto program = programs_.get(target.aov, [&](tables::Aov a) { return make(gl, a); });
+        if (!program) return tl::unexpected(program.error());
+        gl::begin_draw(gl, target.framebuffer, size, **program,
+                       {.depth_func = GL_GREATER, .blend = gl::Blend::add});
+        gl::bind_texture(gl, albedo_unit, GL_TEXTURE_2D, gbuffer.albedo, nullptr);
+        gl::bind_texture(gl, normal_unit, GL_TEXTURE_2D, gbuffer.normal, nullptr);
+        gl::bind_texture(gl, metal_unit, GL_TEXTURE_2D, gbuffer.metal_rough_ao, nullptr);
+        gl::bind_texture(gl, depth_unit, GL_TEXTURE_2D, gbuffer.depth, nullptr);
+        gl::bind_texture(gl, emissive_unit, GL_TEXTURE_2D, gbuffer.emissive_nit, nullptr);
+        gl::bind_texture(gl, ids_unit, GL_TEXTURE_2D, gbuffer.ids, nullptr);
+        gl::draw_full_screen(gl, empty);
+    }
+    return {};
+}
+
+image::Image read_aov(const gl::Context& gl, const AovTarget& target, math::Extent size,
+                      std::uint32_t frame_count) {
+    const tables::AovRow& row = row_of(target.aov);
+    const image::Image sums = read_radiance(gl, target.framebuffer, size);
+    const auto channels = static_cast<std::uint32_t>(row.channels.size());
+    const float share =
+        row.average == tables::Average::nearest ? 1.0F : 1.0F / static_cast<float>(frame_count);
+    image::Image out(size, channels, image::Sample::f32);
+    const auto from = sums.as<float>();
+    const auto to = out.as<float>();
+    for (std::size_t i = 0; i < to.size() / channels; ++i) {
+        const bool is_background = from[i * 4 + 3] == 0.0F;
+        for (std::size_t c = 0; c < channels; ++c)
+            to[i * channels + c] = is_background && target.aov == tables::Aov::depth
+                                       ? std::numeric_limits<float>::infinity()
+                                       : from[i * 4 + c] * share;
+    }
+    return out;
+}
+
+}  // namespace facet::frame

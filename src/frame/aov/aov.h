@@ -1,0 +1,44 @@
+// Further outputs: each AOV's expression, evaluated over the G-buffer.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "frame/gbuffer/gbuffer.h"
+#include "frame/lighting/lighting.h"
+#include "image/image.h"
+#include "tables/aovs.h"
+
+namespace facet::frame {
+
+/// The sum of one AOV over the jittered frames; a holds the share of frames that had a surface.
+struct AovTarget {
+    tables::Aov aov{};
+    gl::Texture sum;
+    gl::Framebuffer framebuffer;  ///< shares the radiance target's depth
+};
+
+class AovPass {
+public:
+    explicit AovPass(const gl::ShaderSources& sources) : sources_(&sources) {}
+    /// Makes cleared targets; `radiance` outlives them.
+    [[nodiscard]] base::Result<std::vector<AovTarget>> make_targets(const gl::Context& gl,
+                                                                    const std::vector<tables::Aov>& aovs,
+                                                                    const RadianceTarget& radiance) const;
+    /// Adds this frame's values to the targets whose average is `average`.
+    [[nodiscard]] base::Status run(const gl::Context& gl, const GBuffer& gbuffer, tables::Average average,
+                                   const gl::VertexArray& empty, math::Extent size,
+                                   const std::vector<AovTarget>& targets);
+
+private:
+    [[nodiscard]] base::Result<gl::Program> make(const gl::Context& gl, tables::Aov aov) const;
+
+    const gl::ShaderSources* sources_;
+    Permutations<tables::Aov> programs_;
+};
+
+/// The AOV as f32 [height, width, channels of its row], rows from the top. Depth is +inf where no surface is.
+[[nodiscard]] image::Image read_aov(const gl::Context& gl, const AovTarget& target, math::Extent size,
+                                    std::uint32_t frame_count);
+
+}  // namespace facet::frame

@@ -1,0 +1,51 @@
+// Image-based light, baked on the CPU from a lat-long picture.
+// SPDX-License-Identifier: MIT
+#include "frame/environment/bake.h"
+
+#include "frame/environment/cube_pyramid.h"
+#include "frame/environment/irradiance.h"
+#include "frame/environment/panorama.h"
+#include "frame/environment/prefilter.h"
+#include "math/half.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <bit>
+
+namespace facet::frame {
+namespace {
+
+constexpr std::uint32_t face_min_px = 64;  // five levels: fewer would show between two roughnesses
+constexpr std::uint32_t face_max_px = 1024;  // 50 MB of half floats
+constexpr std::uint32_t last_level_px = 4;
+
+}  // namespace
+
+BakedEnvironment bake_environment(const image::Image& latlong, float rotation_deg, float intensity,
+                                  base::ThreadPool& pool, base::Warnings& warnings) {
+    BakedEnvironment out;
+    // 256 for 1024x512: at a face's middle its texels are 1.3 pixels of the picture, at its corners
+    // 0.6.
+    const std::uint32_t wanted = std::clamp(latlong.size.height / 2, face_min_px, face_max_px);
+    out.face_px = std::bit_ceil(wanted);
+    const Panorama panorama = make_panorama(latlong, intensity, pool);
+    out.irradiance_sh = irradiance_sh(panorama, rotation_deg);
+    CubePyramid pyramid = make_cube_pyramid(panorama, out.face_px, rotation_deg, pool);
+    if (pyramid.overflowed)
+        warnings.push_back({.file = {},
+                            .where = "environment",
+                            .what = "radiance above the largest half float is cut in reflections",
+                            .found = fmt::format("more than {:.0f} nit", math::half_max),
+                            .remedy = "lower --env-intensity"});
+    const auto levels =
+        static_cast<std::uint32_t>(std::countr_zero(out.face_px / last_level_px)) + 1;
+    out.radiance.push_back(std::move(pyramid.level0));
+    for (std::uint32_t level = 1; level < levels; ++level) {
+        const float roughness = static_cast<float>(level) / static_cast<float>(levels - 1);
+        out.radiance.push_back(prefilter(pyramid, out.face_px >> level, roughness, pool));
+    }
+    return out;
+}
+
+}  // namespace facet::frame

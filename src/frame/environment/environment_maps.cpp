@@ -1,0 +1,79 @@
+// Image-based light as GL textures.
+// SPDX-License-Identifier: MIT
+#include "frame/environment/environment_maps.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace facet::frame {
+namespace {
+
+base::Status upload_cube(const gl::Context& gl, const BakedEnvironment& baked, gl::Texture& out) {
+    const gl::TextureSpec spec{.format = GL_RGBA16F,
+                               .size = {baked.face_px, baked.face_px},
+                               .levels = static_cast<GLsizei>(baked.radiance.size()),
+                               .cube = true};
+    auto texture = gl::make_texture(gl, spec);
+    if (!texture) return tl::unexpected(texture.error());
+    for (std::size_t level = 0; level < baked.radiance.size(); ++level) {
+        const auto bytes = std::as_bytes(std::span(baked.radiance[level]));
+        for (std::size_t face = 0; face < 6; ++face)
+            gl::upload(gl, *texture, spec, static_cast<GLint>(level), static_cast<int>(face),
+                       {GL_RGBA, GL_HALF_FLOAT},
+                       bytes.subspan(face * bytes.size() / 6, bytes.size() / 6));
+    }
+    out = std::move(*texture);
+    return {};
+}
+
+base::Status upload_floats(const gl::Context& gl, math::Extent size, GLenum format, GLenum client,
+                           std::span<const std::byte> bytes, gl::Texture& out) {
+    const gl::TextureSpec spec{.format = format, .size = size};
+    auto texture = gl::make_texture(gl, spec);
+    if (!texture) return tl::unexpected(texture.error());
+    if (!bytes.empty()) gl::upload(gl, *texture, spec, 0, 0, {client, GL_FLOAT}, bytes);
+    out = std::move(*texture);
+    return {};
+}
+
+}  // namespace
+
+base::Result<EnvironmentMaps> upload_environment(const gl::Context& gl,
+                                                 const scene::Environment& environment,
+                                                 const EnvironmentSettings& settings,
+                                                 std::span<const float> table,
+                                                 std::uint32_t table_size, base::ThreadPool& pool,
+                                                 base::Warnings& warnings) {
+    EnvironmentMaps out;
+    const image::Image& latlong = *environment.latlong;
+    const auto pixels = latlong.as<float>();
+    out.is_black = settings.intensity == 0.0F ||
+                   std::all_of(pixels.begin(), pixels.end(), [](float x) { return x == 0.0F; });
+    const auto baked =
+        bake_environment(latlong, settings.rotation_deg, settings.intensity, pool, warnings);
+    out.irradiance_sh = baked.irradiance_sh;
+    out.last_level = static_cast<float>(baked.radiance.size() - 1);
+    out.background_cos = std::cos(glm::radians(settings.rotation_deg));
+    out.background_sin = std::sin(glm::radians(settings.rotation_deg));
+    out.background_intensity = settings.intensity;
+    const bool sharp = settings.background_sharp;
+    if (auto s = upload_cube(gl, baked, out.radiance_cube); !s) return tl::unexpected(s.error());
+    if (auto s = upload_floats(
+            gl, sharp ? latlong.size : math::Extent{1, 1}, GL_RGB32F, GL_RGB,
+            sharp ? std::span<const std::byte>(latlong.bytes) : std::span<const std::byte>(),
+            out.latlong);
+        !s)
+        return tl::unexpected(s.error());
+    if (auto s = upload_floats(gl, {table_size, table_size}, GL_RGBA32F, GL_RGBA,
+                               std::as_bytes(table), out.albedo_table);
+        !s)
+        return tl::unexpected(s.error());
+    out.cube_sampler = gl::make_sampler(
+        gl, {GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE});
+    out.latlong_sampler = gl::make_sampler(gl, {GL_LINEAR, GL_LINEAR, GL_REPEAT, GL_CLAMP_TO_EDGE});
+    out.table_sampler =
+        gl::make_sampler(gl, {GL_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE});
+    return out;
+}
+
+}  // namespace facet::frame

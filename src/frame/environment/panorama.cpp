@@ -1,0 +1,121 @@
+// A lat-long picture made ready for sampling.
+// SPDX-License-Identifier: MIT
+#include "frame/environment/panorama.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace facet::frame {
+namespace {
+
+/// Above every light there is; keeps products with it finite in float.
+constexpr float radiance_max_nit = 1e30F;
+
+struct Azimuths {
+    std::vector<float> cos1, sin1, cos2, sin2;
+};
+
+Azimuths azimuths_of(std::uint32_t width) {
+    Azimuths out;
+    for (std::uint32_t x = 0; x < width; ++x) {
+        const double phi = ((x + 0.5) / width - 0.5) * 2.0 * 3.14159265358979323846;
+        out.cos1.push_back(static_cast<float>(std::cos(phi)));
+        out.sin1.push_back(static_cast<float>(std::sin(phi)));
+        out.cos2.push_back(static_cast<float>(std::cos(2.0 * phi)));
+        out.sin2.push_back(static_cast<float>(std::sin(2.0 * phi)));
+    }
+    return out;
+}
+
+void read_row(std::span<const float> source, float intensity, Lanes* row) {
+    const std::size_t width = source.size() / 3;
+    for (std::size_t x = 0; x < width; ++x) {
+        const float* p = source.data() + 3 * x;
+        row[x] = Lanes{std::min(p[0] * intensity, radiance_max_nit),
+                       std::min(p[1] * intensity, radiance_max_nit),
+                       std::min(p[2] * intensity, radiance_max_nit), 0.0F};
+    }
+}
+
+AzimuthMoments moments_of(const Lanes* row, const Azimuths& azimuths) {
+    AzimuthMoments out;
+    for (std::size_t x = 0; x < azimuths.cos1.size(); ++x) {
+        out.sum[0] += row[x];
+        out.sum[1] += row[x] * azimuths.cos1[x];
+        out.sum[2] += row[x] * azimuths.sin1[x];
+        out.sum[3] += row[x] * azimuths.cos2[x];
+        out.sum[4] += row[x] * azimuths.sin2[x];
+    }
+    return out;
+}
+
+/// Averages `row` over a window of `columns` (>= 1, not whole in general), around the seam too.
+void blur_row(Lanes* row, std::size_t width, double columns) {
+    // Differences of running sums; in double, because a sun stands in the same sum as the sky
+    // beside it.
+    std::vector<double> running(width + 1, 0.0);
+    const double half = columns / 2.0;
+    for (std::size_t lane = 0; lane < 3; ++lane) {
+        for (std::size_t x = 0; x < width; ++x)
+            running[x + 1] = running[x] + static_cast<double>(row[x][lane]);
+        const double turn = running[width];
+        const auto total_to = [&](double x) {  // integral from 0 to x, x in [-width, 2 width]
+            const double turns = std::floor(x / static_cast<double>(width));
+            const double within = x - turns * static_cast<double>(width);
+            const auto i = std::min(static_cast<std::size_t>(within), width - 1);
+            const double part = within - static_cast<double>(i);
+            return turns * turn + running[i] + part * (running[i + 1] - running[i]);
+        };
+        for (std::size_t x = 0; x < width; ++x) {
+            const double middle = static_cast<double>(x) + 0.5;
+            const double sum = total_to(middle + half) - total_to(middle - half);
+            row[x][lane] = static_cast<float>(std::max(sum / columns, 0.0));
+        }
+    }
+}
+
+/// Rows beyond the poles: the way goes on over the pole and down the other side.
+void pad(Panorama& panorama) {
+    const std::size_t width = panorama.width;
+    Lanes* first = panorama.pixels.data();
+    Lanes* last = first + (panorama.height + 1) * panorama.stride;
+    for (std::size_t x = 0; x < width; ++x) {
+        const std::size_t opposite = (x + width / 2) % width;
+        first[x] = first[panorama.stride + opposite];
+        last[x] = (last - panorama.stride)[opposite];
+    }
+    for (std::size_t y = 0; y < panorama.height + 2U; ++y) {
+        Lanes* row = first + y * panorama.stride;
+        row[width] = row[0];
+        row[width + 1] = row[1 % width];
+    }
+}
+
+}  // namespace
+
+Panorama make_panorama(const image::Image& latlong, float intensity, base::ThreadPool& pool) {
+    Panorama out{.width = latlong.size.width,
+                 .height = latlong.size.height,
+                 .stride = std::size_t{latlong.size.width} + 2,
+                 .pixels = {},
+                 .moments = {}};
+    out.pixels.resize(out.stride * (std::size_t{out.height} + 2));
+    out.moments.resize(out.height);
+    const Azimuths azimuths = azimuths_of(out.width);
+    const auto source = latlong.as<float>();
+    pool.parallel_for(out.height, [&](std::size_t y) {
+        Lanes* row = out.pixels.data() + (y + 1) * out.stride;
+        read_row(source.subspan(y * out.width * 3, std::size_t{out.width} * 3), intensity, row);
+        out.moments[y] = moments_of(row, azimuths);
+        const double sine =
+            std::sin((static_cast<double>(y) + 0.5) / out.height * 3.14159265358979323846);
+        const double columns = std::min(out.width / (2.0 * out.height * sine), 1.0 * out.width);
+        constexpr double negligible_columns = 1.5;  // less than the bilinear filter's own width
+        if (columns > negligible_columns) blur_row(row, out.width, columns);
+    });
+    pad(out);
+    return out;
+}
+
+}  // namespace facet::frame

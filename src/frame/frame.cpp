@@ -1,0 +1,194 @@
+// A frame: the one place that knows the order of the passes.
+// SPDX-License-Identifier: MIT
+#include "frame/frame.h"
+
+#include <algorithm>
+#include <chrono>
+#include <numeric>
+
+namespace facet::frame {
+namespace {
+
+bool wants_ids(const std::vector<tables::Aov>& aovs) {
+    return std::any_of(aovs.begin(), aovs.end(), [](tables::Aov aov) {
+        return aov == tables::Aov::object_id || aov == tables::Aov::material_id;
+    });
+}
+
+bool wants_emissive(const std::vector<tables::Aov>& aovs) {
+    return std::find(aovs.begin(), aovs.end(), tables::Aov::emissive) != aovs.end();
+}
+
+/// Indices of the draws, near to far: what is behind is then rejected by depth before it is shaded.
+std::vector<std::size_t> near_to_far(const GpuScene& scene, const shared::View& view) {
+    std::vector<std::size_t> order(scene.draws.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const math::Vec3 eye(view.eye_m);
+    const math::Vec3 forward(view.forward);
+    const auto distance = [&](std::size_t i) { return math::dot(scene.draws[i].center_m - eye, forward); };
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return distance(a) < distance(b); });
+    return order;
+}
+
+/// Waits for the GL and adds the time since the last call; does nothing where no times are wanted.
+class Clock {
+public:
+    Clock(const gl::Context& gl, bool wanted) : gl_(gl), wanted_(wanted) {}
+    void add_to(double* milliseconds) {
+        if (!wanted_) return;
+        gl_.api().Finish();
+        const auto now = std::chrono::steady_clock::now();
+        *milliseconds += std::chrono::duration<double, std::milli>(now - last_).count();
+        last_ = now;
+    }
+
+private:
+    const gl::Context& gl_;
+    bool wanted_;
+    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace
+
+base::Result<Frame> Frame::create(const gl::Context& gl, const gl::ShaderSources& sources,
+                                  const FrameSpec& spec) {
+    Frame frame(sources, spec);
+    const math::Extent size = spec.region.size;
+    auto gbuffer = GBuffer::create(gl, {.size = size,
+                                        .emissive = spec.emissive || wants_emissive(spec.aovs),
+                                        .ids = wants_ids(spec.aovs)});
+    if (!gbuffer) return tl::unexpected(gbuffer.error());
+    frame.gbuffer_ = std::move(*gbuffer);
+    auto radiance = RadianceTarget::create(gl, size);
+    if (!radiance) return tl::unexpected(radiance.error());
+    frame.radiance_ = std::move(*radiance);
+    auto accumulate = AccumulatePass::create(gl, sources);
+    if (!accumulate) return tl::unexpected(accumulate.error());
+    frame.accumulate_pass_ = std::move(*accumulate);
+    auto aovs = frame.aov_pass_.make_targets(gl, spec.aovs, frame.radiance_);
+    if (!aovs) return tl::unexpected(aovs.error());
+    frame.aov_targets_ = std::move(*aovs);
+    frame.light_buffers_ = make_light_buffers(gl);
+    frame.view_block_ = gl::make_buffer(gl, {}, GL_STREAM_DRAW);
+    frame.empty_ = gl::make_vertex_array(gl);
+    // Faces of the prefiltered cube are filtered across their edges.
+    gl.api().Enable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+    if (auto status = gl.check("frame targets"); !status) return tl::unexpected(status.error());
+    return frame;
+}
+
+void Frame::set_view(const gl::Context& gl, const FrameInputs& in, const shared::View& camera_view) {
+    shared::View view = camera_view;
+    const std::uint32_t across = (spec_.region.size.width + tile_px - 1) / tile_px;
+    view.light_counts = {in.lights.directional_count, in.lights.count, across, 0U};
+    const EnvironmentMaps& e = in.environment;
+    view.environment = {e.last_level, e.background_intensity, e.background_cos, e.background_sin};
+    view.background.x = in.background.blur * e.last_level;
+    for (std::size_t i = 0; i < e.irradiance_sh.size(); ++i)
+        view.irradiance_sh[i] = math::Vec4(e.irradiance_sh[i], 0.0F);
+    gl::update_buffer(gl, view_block_, std::as_bytes(std::span(&view, 1)));
+    gl.api().BindBufferBase(GL_UNIFORM_BUFFER, view_binding, view_block_.name());
+}
+
+ShadeKey Frame::update_light_lists(const gl::Context& gl, const FrameInputs& in, const shared::View& view) {
+    if (uploaded_lights_ != &in.lights) update_lights(gl, light_buffers_, in.lights);
+    uploaded_lights_ = &in.lights;
+    const ShadeKey key{.environment = !in.environment.is_black,
+                       .local_lights = in.lights.count > in.lights.directional_count};
+    if (!key.local_lights) return key;
+    const math::Extent size = spec_.region.size;
+    const bool any_blended = std::any_of(in.scene.draws.begin(), in.scene.draws.end(),
+                                         [](const Draw& draw) { return draw.blended; });
+    // Reading depth back is a copy on a software renderer, and a stall on any other.
+    std::optional<TileDepths> depths;
+    if (gl.is_software() && !any_blended) {
+        std::vector<float> depth(static_cast<std::size_t>(size.pixels()));
+        gl::read_pixels(gl, gbuffer_.framebuffer, 0, size, {GL_DEPTH_COMPONENT, GL_FLOAT},
+                        std::as_writable_bytes(std::span(depth)));
+        depths = tile_depths(depth, size, false);
+    }
+    update_lists(gl, light_buffers_,
+                 build_light_lists(in.lights, view.clip_from_world, size, depths ? &*depths : nullptr));
+    return key;
+}
+
+base::Status Frame::draw_light(const gl::Context& gl, const FrameInputs& in, const shared::View& view,
+                               const std::vector<std::size_t>& far_to_near) {
+    const ShadeInputs shade{update_light_lists(gl, in, view), in.environment, light_buffers_};
+    if (in.background.kind == BackgroundKind::none || in.background.kind == BackgroundKind::color) {
+        const std::array<float, 4> clear{};
+        gl.api().BindFramebuffer(GL_FRAMEBUFFER, radiance_.framebuffer.name());
+        gl.api().ClearBufferfv(GL_COLOR, 0, clear.data());
+    }
+    if (auto s = lighting_pass_.run(gl, gbuffer_, shade, empty_, radiance_); !s) return s;
+    if (auto s = background_pass_.run(gl, in.background.kind, in.environment, empty_, radiance_); !s) return s;
+    return blend_pass_.run(gl, in.scene, far_to_near, shade, radiance_);
+}
+
+base::Status Frame::draw(const gl::Context& gl, const FrameInputs& in, std::uint32_t index,
+                         std::uint32_t count, PassTimes* times) {
+    PassTimes unwanted;
+    PassTimes& passes = times == nullptr ? unwanted : *times;
+    Clock clock(gl, times != nullptr);
+    const shared::View view = view_block(in.camera, spec_.picture, spec_.region, jitter_px(index, count));
+    set_view(gl, in, view);
+    std::vector<std::size_t> order = near_to_far(in.scene, view);
+    if (auto s = gbuffer_pass_.run(gl, in.scene, order, gbuffer_); !s) return s;
+    clock.add_to(&passes.gbuffer);
+    std::reverse(order.begin(), order.end());
+    if (auto s = draw_light(gl, in, view, order); !s) return s;
+    clock.add_to(&passes.lighting);
+    if (auto s = aov_pass_.run(gl, gbuffer_, tables::Average::mean, empty_, size(), aov_targets_); !s) return s;
+    if (count > 1) {
+        if (!accumulator_) {
+            auto made = Accumulator::create(gl, size());
+            if (!made) return tl::unexpected(made.error());
+            accumulator_ = std::move(*made);
+        }
+        if (index == 0) accumulator_->clear(gl);
+        accumulate_pass_.run(gl, radiance_.radiance, empty_, *accumulator_);
+    }
+    clock.add_to(&passes.post);
+    return gl.check("frame");
+}
+
+base::Status Frame::draw_centered_aovs(const gl::Context& gl, const FrameInputs& in) {
+    const bool any = std::any_of(aov_targets_.begin(), aov_targets_.end(), [](const AovTarget& target) {
+        return tables::aovs[static_cast<std::size_t>(target.aov)].average == tables::Average::nearest;
+    });
+    if (!any) return {};
+    const shared::View view = view_block(in.camera, spec_.picture, spec_.region, math::Vec2(0.0F));
+    set_view(gl, in, view);
+    if (auto s = gbuffer_pass_.run(gl, in.scene, near_to_far(in.scene, view), gbuffer_); !s) return s;
+    gl::copy_depth(gl, gbuffer_.framebuffer, radiance_.framebuffer, size());
+    if (auto s = aov_pass_.run(gl, gbuffer_, tables::Average::nearest, empty_, size(), aov_targets_); !s)
+        return s;
+    return gl.check("aovs");
+}
+
+const gl::Framebuffer& Frame::sum_framebuffer(std::uint32_t count) const {
+    return count > 1 ? accumulator_->framebuffer : radiance_.framebuffer;
+}
+const gl::Texture& Frame::sum_texture(std::uint32_t count) const {
+    return count > 1 ? accumulator_->sum : radiance_.radiance;
+}
+
+base::Status Frame::display(const gl::Context& gl, const DisplaySettings& settings) {
+    if (auto s = display_pass_.run(gl, sum_texture(settings.frame_count), size(), settings, empty_); !s)
+        return s;
+    return gl.check("display");
+}
+
+std::vector<image::Layer> Frame::read_aovs(const gl::Context& gl, std::uint32_t count) const {
+    std::vector<image::Layer> layers;
+    for (const AovTarget& target : aov_targets_) {
+        const tables::AovRow& row = tables::aovs[static_cast<std::size_t>(target.aov)];
+        image::Layer layer{.name = std::string(row.key), .channels = {}, .image = read_aov(gl, target, size(), count)};
+        for (const char channel : row.channels) layer.channels.emplace_back(1, channel);
+        layers.push_back(std::move(layer));
+    }
+    return layers;
+}
+
+}  // namespace facet::frame

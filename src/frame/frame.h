@@ -1,0 +1,97 @@
+// A frame: the one place that knows the order of the passes.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "frame/aov/aov.h"
+#include "frame/background/background.h"
+#include "frame/blend/blend.h"
+#include "frame/environment/environment_maps.h"
+#include "frame/gbuffer/gbuffer.h"
+#include "frame/lighting/lighting.h"
+#include "frame/output/output.h"
+#include "frame/upload/gpu_scene.h"
+#include "frame/view.h"
+#include "image/read.h"
+
+namespace facet::frame {
+
+/// What a picture consists of, apart from its scene.
+struct FrameSpec {
+    math::Extent picture;
+    Region region;
+    bool emissive = false;  ///< some material emits
+    std::vector<tables::Aov> aovs;
+};
+
+/// What is drawn. Everything outlives the call.
+struct FrameInputs {
+    const GpuScene& scene;
+    const EnvironmentMaps& environment;
+    const PackedLights& lights;
+    const scene::Camera& camera;
+    const Background& background;
+};
+
+/// Milliseconds a pass took, each waited for; asked for by benchmarks only.
+struct PassTimes {
+    double gbuffer = 0.0;
+    double lighting = 0.0;  ///< light lists, lighting, background and blended surfaces
+    double post = 0.0;
+};
+
+class Frame {
+public:
+    /// `sources` outlives the frame. Errors: limit_reached (size), internal (shaders).
+    [[nodiscard]] static base::Result<Frame> create(const gl::Context& gl, const gl::ShaderSources& sources,
+                                                    const FrameSpec& spec);
+
+    /// Draws sample `index` of `count` and adds it, unless it is the only one.
+    [[nodiscard]] base::Status draw(const gl::Context& gl, const FrameInputs& in, std::uint32_t index,
+                                    std::uint32_t count, PassTimes* times = nullptr);
+    /// AOVs that are not averaged: one more G-buffer through the centres of the pixels.
+    [[nodiscard]] base::Status draw_centered_aovs(const gl::Context& gl, const FrameInputs& in);
+
+    /// The sum of the frames drawn: RGBA f32, rows from the bottom; and its window depth of the last frame.
+    [[nodiscard]] const gl::Framebuffer& sum_framebuffer(std::uint32_t count) const;
+    [[nodiscard]] const gl::Texture& sum_texture(std::uint32_t count) const;
+    [[nodiscard]] const gl::Framebuffer& depth_framebuffer() const { return gbuffer_.framebuffer; }
+    /// Encodes the frames drawn for a screen, on the GL; read_display() fetches it.
+    [[nodiscard]] base::Status display(const gl::Context& gl, const DisplaySettings& settings);
+    [[nodiscard]] image::Image read_display(const gl::Context& gl) const { return display_pass_.read(gl); }
+    [[nodiscard]] std::vector<image::Layer> read_aovs(const gl::Context& gl, std::uint32_t count) const;
+    [[nodiscard]] math::Extent size() const { return spec_.region.size; }
+
+private:
+    Frame(const gl::ShaderSources& sources, FrameSpec spec)
+        : spec_(std::move(spec)), gbuffer_pass_(sources), lighting_pass_(sources),
+          background_pass_(sources), blend_pass_(sources), aov_pass_(sources), display_pass_(sources) {}
+
+    void set_view(const gl::Context& gl, const FrameInputs& in, const shared::View& camera_view);
+    [[nodiscard]] ShadeKey update_light_lists(const gl::Context& gl, const FrameInputs& in,
+                                              const shared::View& view);
+    [[nodiscard]] base::Status draw_light(const gl::Context& gl, const FrameInputs& in,
+                                          const shared::View& view,
+                                          const std::vector<std::size_t>& far_to_near);
+
+    FrameSpec spec_;
+    GBufferPass gbuffer_pass_;
+    LightingPass lighting_pass_;
+    BackgroundPass background_pass_;
+    BlendPass blend_pass_;
+    AovPass aov_pass_;
+    DisplayPass display_pass_;
+    AccumulatePass accumulate_pass_;
+    GBuffer gbuffer_;
+    RadianceTarget radiance_;
+    std::optional<Accumulator> accumulator_;
+    std::vector<AovTarget> aov_targets_;
+    LightBuffers light_buffers_;
+    const PackedLights* uploaded_lights_ = nullptr;
+    gl::Buffer view_block_;
+    gl::VertexArray empty_;
+};
+
+}  // namespace facet::frame

@@ -1,0 +1,100 @@
+// The G-buffer: its targets, and the pass that fills it.
+// SPDX-License-Identifier: MIT
+#include "frame/gbuffer/gbuffer.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include "frame/shared.h"
+
+namespace facet::frame {
+
+base::Result<GBuffer> GBuffer::create(const gl::Context& gl, const GBufferSpec& spec) {
+    GBuffer out;
+    out.spec = spec;
+    struct Target {
+        gl::Texture* texture;
+        GLenum format;
+        bool full;
+    };
+    for (const Target& target : {Target{&out.albedo, GL_SRGB8_ALPHA8, true},
+                                 Target{&out.normal, GL_RG16, true},
+                                 Target{&out.metal_rough_ao, GL_RGBA8, true},
+                                 Target{&out.emissive_nit, GL_RGBA32F, spec.emissive},
+                                 Target{&out.ids, GL_RG32UI, spec.ids},
+                                 Target{&out.depth, GL_DEPTH_COMPONENT32F, true}}) {
+        auto made = gl::make_texture(
+            gl, {.format = target.format, .size = target.full ? spec.size : math::Extent{1, 1}});
+        if (!made) return tl::unexpected(made.error());
+        *target.texture = std::move(*made);
+    }
+    std::vector<const gl::Texture*> colors = {&out.albedo, &out.normal, &out.metal_rough_ao};
+    if (spec.emissive) colors.push_back(&out.emissive_nit);
+    if (spec.ids) colors.push_back(&out.ids);
+    auto framebuffer = gl::make_framebuffer(gl, colors, &out.depth);
+    if (!framebuffer) return tl::unexpected(framebuffer.error());
+    out.framebuffer = std::move(*framebuffer);
+    return out;
+}
+
+base::Result<gl::Program> GBufferPass::make(const gl::Context& gl, const Key& key) const {
+    const std::string text = defines(key.material) + define("BLEND", false) +
+                             define("EMISSIVE_TARGET", key.emissive) + define("ID_TARGET", key.ids) +
+                             fmt::format("#define FACET_ID_LOCATION {}\n", key.emissive ? 4 : 3);
+    auto program = gl::build_program(
+        gl, *sources_, {"frame/gbuffer/gbuffer.vert", "frame/gbuffer/gbuffer.frag", text});
+    if (!program) return program;
+    gl::bind_block(gl, *program, "ViewBlock", view_binding);
+    gl::bind_block(gl, *program, "DrawBlock", draw_binding);
+    bind_material_samplers(gl, *program);
+    return program;
+}
+
+base::Status GBufferPass::run(const gl::Context& gl, const GpuScene& scene,
+                              const std::vector<std::size_t>& order, const GBuffer& out) {
+    const gl::Api& api = gl.api();
+    const gl::Program* current = nullptr;
+    api.BindFramebuffer(GL_FRAMEBUFFER, out.framebuffer.name());
+    api.DepthMask(GL_TRUE);
+    constexpr float far_depth = 1.0F;
+    api.ClearBufferfv(GL_DEPTH, 0, &far_depth);
+    // Colours need no clear: no pass reads them where the depth is still far. Ids do, for edges of AOVs.
+    api.BindVertexArray(scene.vertex_array.name());
+    for (const std::size_t index : order) {
+        const Draw& draw = scene.draws[index];
+        if (draw.blended) continue;
+        const Key key{draw.key, out.spec.emissive, out.spec.ids};
+        const auto program = programs_.get(key, [&](const Key& k) { return make(gl, k); });
+        if (!program) return tl::unexpected(program.error());
+        const gl::Pipeline pipeline{.depth_func = GL_LESS,
+                                    .depth_write = true,
+                                    .cull = draw.double_sided ? gl::Cull::none : gl::Cull::back,
+                                    .clockwise_front = draw.mirrored};
+        if (*program != current)
+            gl::begin_draw(gl, out.framebuffer, out.spec.size, **program, pipeline);
+        else
+            gl::set_pipeline(gl, pipeline);
+        current = *program;
+        draw_instance(gl, scene, draw);
+    }
+    return {};
+}
+
+void bind_material_samplers(const gl::Context& gl, const gl::Program& program) {
+    for (std::size_t slot = 0; slot < tables::material_textures.size(); ++slot)
+        gl::bind_sampler(gl, program, tables::material_textures[slot].key.data(), static_cast<GLint>(slot));
+}
+
+void draw_instance(const gl::Context& gl, const GpuScene& scene, const Draw& draw) {
+    const gl::Api& api = gl.api();
+    for (std::size_t slot = 0; slot < draw.textures.size(); ++slot)
+        if (draw.textures[slot].texture != nullptr)
+            gl::bind_texture(gl, static_cast<GLuint>(slot), GL_TEXTURE_2D, *draw.textures[slot].texture,
+                             draw.textures[slot].sampler);
+    api.BindBufferRange(GL_UNIFORM_BUFFER, draw_binding, scene.draw_blocks.name(),
+                        static_cast<GLintptr>(draw.block_offset), sizeof(shared::Draw));
+    api.DrawElementsBaseVertex(GL_TRIANGLES, draw.index_count, GL_UNSIGNED_INT,
+                               reinterpret_cast<const void*>(draw.first_index * sizeof(std::uint32_t)),
+                               draw.base_vertex);
+}
+
+}  // namespace facet::frame

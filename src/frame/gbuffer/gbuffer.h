@@ -1,0 +1,62 @@
+// The G-buffer: its targets, and the pass that fills it.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "frame/permutations.h"
+#include "frame/upload/gpu_scene.h"
+#include "gl/pipeline.h"
+
+namespace facet::frame {
+
+/// What the frame wants of the G-buffer beyond the classic targets.
+struct GBufferSpec {
+    math::Extent size;
+    bool emissive = false;
+    bool ids = false;
+};
+
+/// 14 bytes a pixel: sRGB8 albedo (a: unlit), RG16 octahedral normal, RGBA8 metallic, roughness, AO, and D32F.
+/// Formats cost llvmpipe the same (docs/decisions/003); these are the smallest that keep the precision.
+struct GBuffer {
+    GBufferSpec spec;
+    gl::Texture albedo;
+    gl::Texture normal;
+    gl::Texture metal_rough_ao;
+    gl::Texture emissive_nit;  ///< RGBA32F; 1x1 where not asked for
+    gl::Texture ids;           ///< RG32UI: object, material; 1x1 where not asked for
+    gl::Texture depth;
+    gl::Framebuffer framebuffer;
+
+    [[nodiscard]] static base::Result<GBuffer> create(const gl::Context& gl, const GBufferSpec& spec);
+};
+
+/// Where the frame's uniform blocks are bound.
+enum BlockBinding : GLuint { view_binding = 0, draw_binding = 1, display_binding = 2 };
+
+class GBufferPass {
+public:
+    explicit GBufferPass(const gl::ShaderSources& sources) : sources_(&sources) {}
+    /// Clears, and draws every opaque instance of `scene` in `order` (indices into its draws).
+    /// Errors: internal when the driver rejects a program; names the GLSL file and line.
+    [[nodiscard]] base::Status run(const gl::Context& gl, const GpuScene& scene,
+                                   const std::vector<std::size_t>& order, const GBuffer& out);
+
+private:
+    struct Key {
+        MaterialKey material;
+        bool emissive = false;
+        bool ids = false;
+        auto operator<=>(const Key&) const = default;
+    };
+    [[nodiscard]] base::Result<gl::Program> make(const gl::Context& gl, const Key& key) const;
+
+    const gl::ShaderSources* sources_;
+    Permutations<Key> programs_;
+};
+
+/// Units of the material's textures, in the order of tables::material_textures.
+void bind_material_samplers(const gl::Context& gl, const gl::Program& program);
+/// Binds a draw's textures and uniform block, and draws its triangles.
+void draw_instance(const gl::Context& gl, const GpuScene& scene, const Draw& draw);
+
+}  // namespace facet::frame

@@ -1,0 +1,149 @@
+// Which lights reach which part of the picture.
+// SPDX-License-Identifier: MIT
+#include "frame/lighting/light_lists.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace facet::frame {
+namespace {
+
+using math::Vec2;
+using math::Vec3;
+using math::Vec4;
+
+void push(std::vector<Vec4>& texels, const scene::Light& light) {
+    const float inverse_range2 = light.range_m > 0.0F ? 1.0F / (light.range_m * light.range_m) : 0.0F;
+    float scale = 0.0F;
+    float offset = 1.0F;
+    if (light.kind == tables::LightKind::spot) {
+        // KHR_lights_punctual, "Inner and Outer Cone Angles": the reference code's epsilon.
+        const float cos_outer = std::cos(light.outer_cone_rad);
+        scale = 1.0F / std::max(0.001F, std::cos(light.inner_cone_rad) - cos_outer);
+        offset = -cos_outer * scale;
+    }
+    texels.emplace_back(light.position_m, inverse_range2);
+    texels.emplace_back(light.color * light.intensity, scale);
+    texels.emplace_back(light.direction, offset);
+}
+
+/// The box around what a tile shows, in world space.
+math::Bounds tile_bounds(const math::Mat4& world_from_clip, Vec2 low, Vec2 high, float near, float far) {
+    math::Bounds bounds;
+    for (int corner = 0; corner < 8; ++corner) {
+        const Vec4 clip((corner & 1) != 0 ? high.x : low.x, (corner & 2) != 0 ? high.y : low.y,
+                        ((corner & 4) != 0 ? far : near) * 2.0F - 1.0F, 1.0F);
+        const Vec4 world = world_from_clip * clip;
+        bounds.add(Vec3(world) / world.w);
+    }
+    return bounds;
+}
+
+bool touches(const math::Bounds& box, const Vec4& position_inverse_range2) {
+    if (position_inverse_range2.w <= 0.0F) return true;
+    const Vec3 center(position_inverse_range2);
+    const Vec3 nearest = glm::clamp(center, box.low, box.high);
+    const Vec3 gap = center - nearest;
+    return math::dot(gap, gap) * position_inverse_range2.w <= 1.0F;
+}
+
+/// Tiles a light can reach at all, from the corners of the box around its sphere.
+struct TileRange {
+    std::uint32_t x0, y0, x1, y1;  ///< half open
+};
+TileRange tile_range(const Vec4& position_inverse_range2, const math::Mat4& clip_from_world,
+                     math::Extent size, std::uint32_t across, std::uint32_t down) {
+    const TileRange all{0, 0, across, down};
+    if (position_inverse_range2.w <= 0.0F) return all;
+    const float range = 1.0F / std::sqrt(position_inverse_range2.w);
+    Vec2 low(1e30F);
+    Vec2 high(-1e30F);
+    for (int corner = 0; corner < 8; ++corner) {
+        const Vec3 offset((corner & 1) != 0 ? range : -range, (corner & 2) != 0 ? range : -range,
+                          (corner & 4) != 0 ? range : -range);
+        const Vec4 clip = clip_from_world * Vec4(Vec3(position_inverse_range2) + offset, 1.0F);
+        if (clip.w <= 1e-6F) return all;  // reaches behind the eye
+        const Vec2 ndc = Vec2(clip) / clip.w;
+        low = glm::min(low, ndc);
+        high = glm::max(high, ndc);
+    }
+    const auto tile = [](float ndc, std::uint32_t pixels, std::uint32_t count, float round) {
+        const float px = (ndc * 0.5F + 0.5F) * static_cast<float>(pixels) / static_cast<float>(tile_px);
+        return static_cast<std::uint32_t>(std::clamp(px + round, 0.0F, static_cast<float>(count)));
+    };
+    return {tile(low.x, size.width, across, 0.0F), tile(low.y, size.height, down, 0.0F),
+            tile(high.x, size.width, across, 1.0F), tile(high.y, size.height, down, 1.0F)};
+}
+
+}  // namespace
+
+PackedLights pack_lights(std::span<const scene::Light> lights) {
+    PackedLights packed;
+    for (const scene::Light& light : lights)
+        if (light.kind == tables::LightKind::directional) push(packed.texels, light);
+    packed.directional_count = static_cast<std::uint32_t>(packed.texels.size() / 3);
+    for (const scene::Light& light : lights)
+        if (light.kind != tables::LightKind::directional) push(packed.texels, light);
+    packed.count = static_cast<std::uint32_t>(packed.texels.size() / 3);
+    return packed;
+}
+
+TileDepths tile_depths(std::span<const float> depth, math::Extent size, bool behind_only) {
+    const std::uint32_t across = (size.width + tile_px - 1) / tile_px;
+    const std::uint32_t down = (size.height + tile_px - 1) / tile_px;
+    TileDepths out{std::vector<float>(std::size_t{across} * down, behind_only ? 0.0F : 1.0F),
+                   std::vector<float>(std::size_t{across} * down, behind_only ? 1.0F : 0.0F)};
+    for (std::uint32_t y = 0; y < size.height; ++y) {
+        const float* row = depth.data() + std::size_t{y} * size.width;
+        for (std::uint32_t x = 0; x < size.width; ++x) {
+            const std::size_t tile = std::size_t{y / tile_px} * across + x / tile_px;
+            if (row[x] >= 1.0F) continue;  // background
+            out.near[tile] = std::min(out.near[tile], row[x]);
+            out.far[tile] = std::max(out.far[tile], row[x]);
+        }
+    }
+    return out;
+}
+
+LightLists build_light_lists(const PackedLights& lights, const math::Mat4& clip_from_world,
+                             math::Extent size, const TileDepths* depths) {
+    const std::uint32_t across = (size.width + tile_px - 1) / tile_px;
+    const std::uint32_t down = (size.height + tile_px - 1) / tile_px;
+    const math::Mat4 world_from_clip = math::inverse(clip_from_world);
+    const std::size_t tile_count = std::size_t{across} * down;
+    std::vector<math::Bounds> bounds(tile_count);
+    const auto ndc = [](std::uint32_t tile, std::uint32_t pixels) {
+        return static_cast<float>(tile * tile_px) / static_cast<float>(pixels) * 2.0F - 1.0F;
+    };
+    for (std::size_t t = 0; t < tile_count; ++t) {
+        const float near = depths == nullptr ? 0.0F : depths->near[t];
+        const float far = depths == nullptr ? 1.0F : depths->far[t];
+        if (far < near) continue;  // nothing is seen there; the box stays empty and touches nothing
+        const auto x = static_cast<std::uint32_t>(t % across);
+        const auto y = static_cast<std::uint32_t>(t / across);
+        bounds[t] = tile_bounds(world_from_clip, {ndc(x, size.width), ndc(y, size.height)},
+                                {ndc(x + 1, size.width), ndc(y + 1, size.height)}, near, far);
+    }
+    std::vector<std::vector<std::uint16_t>> lists(tile_count);
+    for (std::uint32_t i = lights.directional_count; i < lights.count; ++i) {
+        const Vec4& position = lights.texels[std::size_t{i} * 3];
+        const TileRange range = tile_range(position, clip_from_world, size, across, down);
+        for (std::uint32_t y = range.y0; y < range.y1; ++y)
+            for (std::uint32_t x = range.x0; x < range.x1; ++x) {
+                const std::size_t t = std::size_t{y} * across + x;
+                if (!bounds[t].is_empty() && touches(bounds[t], position))
+                    lists[t].push_back(static_cast<std::uint16_t>(i));
+            }
+    }
+    LightLists out{.tiles_across = across};
+    for (const auto& list : lists) {
+        out.tiles.push_back(static_cast<std::uint32_t>(out.indices.size()));
+        out.tiles.push_back(static_cast<std::uint32_t>(list.size()));
+        out.indices.insert(out.indices.end(), list.begin(), list.end());
+    }
+    if (out.indices.empty()) out.indices.push_back(0);  // a texture buffer cannot be empty
+    return out;
+}
+
+}  // namespace facet::frame

@@ -1,0 +1,107 @@
+// The lighting pass: G-buffer, lights and environment to radiance.
+// SPDX-License-Identifier: MIT
+#include "frame/lighting/lighting.h"
+
+namespace facet::frame {
+namespace {
+
+/// Units after those of a material's textures, so that blend can bind both.
+enum Unit : GLuint { cube_unit = 5, table_unit, lights_unit, tiles_unit, indices_unit };
+/// Units of the G-buffer, where the material's are otherwise.
+enum GBufferUnit : GLuint { albedo_unit = 0, normal_unit, metal_unit, depth_unit, emissive_unit };
+
+base::Result<gl::Program> make(const gl::Context& gl, const gl::ShaderSources& sources,
+                               const ShadeKey& shade, bool emissive) {
+    auto program = gl::build_program(gl, sources,
+                                     {"frame/full_screen.vert", "frame/lighting/lighting.frag",
+                                      defines(shade) + define("EMISSIVE_TARGET", emissive)});
+    if (!program) return program;
+    gl::bind_block(gl, *program, "ViewBlock", view_binding);
+    gl::bind_sampler(gl, *program, "gbuffer_albedo", albedo_unit);
+    gl::bind_sampler(gl, *program, "gbuffer_normal", normal_unit);
+    gl::bind_sampler(gl, *program, "gbuffer_metal_rough_ao", metal_unit);
+    gl::bind_sampler(gl, *program, "gbuffer_depth", depth_unit);
+    gl::bind_sampler(gl, *program, "gbuffer_emissive", emissive_unit);
+    set_shade_samplers(gl, *program);
+    return program;
+}
+
+}  // namespace
+
+std::string defines(const ShadeKey& key) {
+    return define("ENVIRONMENT", key.environment) + define("LOCAL_LIGHTS", key.local_lights);
+}
+
+LightBuffers make_light_buffers(const gl::Context& gl) {
+    LightBuffers out;
+    const std::array<std::byte, 48> nothing{};
+    out.lights = gl::make_buffer(gl, nothing);
+    out.tiles = gl::make_buffer(gl, nothing);
+    out.indices = gl::make_buffer(gl, nothing);
+    out.lights_texture = gl::make_buffer_texture(gl, out.lights, GL_RGBA32F);
+    out.tiles_texture = gl::make_buffer_texture(gl, out.tiles, GL_RG32UI);
+    out.indices_texture = gl::make_buffer_texture(gl, out.indices, GL_R16UI);
+    return out;
+}
+
+void update_lights(const gl::Context& gl, const LightBuffers& buffers, const PackedLights& lights) {
+    if (!lights.texels.empty()) gl::update_buffer(gl, buffers.lights, std::as_bytes(std::span(lights.texels)));
+}
+
+void update_lists(const gl::Context& gl, const LightBuffers& buffers, const LightLists& lists) {
+    gl::update_buffer(gl, buffers.tiles, std::as_bytes(std::span(lists.tiles)));
+    gl::update_buffer(gl, buffers.indices, std::as_bytes(std::span(lists.indices)));
+}
+
+void set_shade_samplers(const gl::Context& gl, const gl::Program& program) {
+    gl::bind_sampler(gl, program, "radiance_cube", cube_unit);
+    gl::bind_sampler(gl, program, "albedo_table", table_unit);
+    gl::bind_sampler(gl, program, "lights", lights_unit);
+    gl::bind_sampler(gl, program, "light_tiles", tiles_unit);
+    gl::bind_sampler(gl, program, "light_indices", indices_unit);
+}
+
+void bind_shade_textures(const gl::Context& gl, const ShadeInputs& in) {
+    const EnvironmentMaps& e = in.environment;
+    gl::bind_texture(gl, cube_unit, GL_TEXTURE_CUBE_MAP, e.radiance_cube, &e.cube_sampler);
+    gl::bind_texture(gl, table_unit, GL_TEXTURE_2D, e.albedo_table, &e.table_sampler);
+    gl::bind_texture(gl, lights_unit, GL_TEXTURE_BUFFER, in.lights.lights_texture, nullptr);
+    gl::bind_texture(gl, tiles_unit, GL_TEXTURE_BUFFER, in.lights.tiles_texture, nullptr);
+    gl::bind_texture(gl, indices_unit, GL_TEXTURE_BUFFER, in.lights.indices_texture, nullptr);
+}
+
+base::Result<RadianceTarget> RadianceTarget::create(const gl::Context& gl, math::Extent size) {
+    RadianceTarget out;
+    out.size = size;
+    auto radiance = gl::make_texture(gl, {.format = GL_RGBA32F, .size = size});
+    if (!radiance) return tl::unexpected(radiance.error());
+    auto depth = gl::make_texture(gl, {.format = GL_DEPTH_COMPONENT32F, .size = size});
+    if (!depth) return tl::unexpected(depth.error());
+    out.radiance = std::move(*radiance);
+    out.depth = std::move(*depth);
+    const std::array<const gl::Texture*, 1> colors = {&out.radiance};
+    auto framebuffer = gl::make_framebuffer(gl, colors, &out.depth);
+    if (!framebuffer) return tl::unexpected(framebuffer.error());
+    out.framebuffer = std::move(*framebuffer);
+    return out;
+}
+
+base::Status LightingPass::run(const gl::Context& gl, const GBuffer& gbuffer, const ShadeInputs& in,
+                               const gl::VertexArray& empty, const RadianceTarget& out) {
+    const Key key{in.key, gbuffer.spec.emissive};
+    const auto program =
+        programs_.get(key, [&](const Key& k) { return make(gl, *sources_, k.shade, k.emissive); });
+    if (!program) return tl::unexpected(program.error());
+    gl::copy_depth(gl, gbuffer.framebuffer, out.framebuffer, out.size);
+    gl::begin_draw(gl, out.framebuffer, out.size, **program, {.depth_func = GL_GREATER});
+    bind_shade_textures(gl, in);
+    gl::bind_texture(gl, albedo_unit, GL_TEXTURE_2D, gbuffer.albedo, nullptr);
+    gl::bind_texture(gl, normal_unit, GL_TEXTURE_2D, gbuffer.normal, nullptr);
+    gl::bind_texture(gl, metal_unit, GL_TEXTURE_2D, gbuffer.metal_rough_ao, nullptr);
+    gl::bind_texture(gl, depth_unit, GL_TEXTURE_2D, gbuffer.depth, nullptr);
+    gl::bind_texture(gl, emissive_unit, GL_TEXTURE_2D, gbuffer.emissive_nit, nullptr);
+    gl::draw_full_screen(gl, empty);
+    return {};
+}
+
+}  // namespace facet::frame

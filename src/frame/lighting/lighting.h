@@ -1,0 +1,65 @@
+// The lighting pass: G-buffer, lights and environment to radiance.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "frame/environment/environment_maps.h"
+#include "frame/gbuffer/gbuffer.h"
+#include "frame/lighting/light_lists.h"
+#include "frame/shared.h"
+
+namespace facet::frame {
+
+/// Which parts of shade.glsl a program has.
+struct ShadeKey {
+    bool environment = true;
+    bool local_lights = false;
+    auto operator<=>(const ShadeKey&) const = default;
+};
+[[nodiscard]] std::string defines(const ShadeKey& key);
+
+/// Lights on the GL's side.
+struct LightBuffers {
+    gl::Buffer lights, tiles, indices;
+    gl::Texture lights_texture, tiles_texture, indices_texture;
+};
+[[nodiscard]] LightBuffers make_light_buffers(const gl::Context& gl);
+void update_lights(const gl::Context& gl, const LightBuffers& buffers, const PackedLights& lights);
+void update_lists(const gl::Context& gl, const LightBuffers& buffers, const LightLists& lists);
+
+/// What light arrives by: used by lighting and blend. Everything outlives the call.
+struct ShadeInputs {
+    ShadeKey key;
+    const EnvironmentMaps& environment;
+    const LightBuffers& lights;
+};
+void set_shade_samplers(const gl::Context& gl, const gl::Program& program);
+void bind_shade_textures(const gl::Context& gl, const ShadeInputs& in);
+
+/// Where radiance goes: RGBA32F [height, width, 4], linear Rec.709 in nit, associated alpha; and a copy of the
+/// G-buffer's depth, so that no pass tests against a texture it also reads.
+struct RadianceTarget {
+    math::Extent size;
+    gl::Texture radiance;
+    gl::Texture depth;
+    gl::Framebuffer framebuffer;
+    [[nodiscard]] static base::Result<RadianceTarget> create(const gl::Context& gl, math::Extent size);
+};
+
+class LightingPass {
+public:
+    explicit LightingPass(const gl::ShaderSources& sources) : sources_(&sources) {}
+    /// Writes the pixels where the G-buffer has a surface.
+    [[nodiscard]] base::Status run(const gl::Context& gl, const GBuffer& gbuffer, const ShadeInputs& in,
+                                   const gl::VertexArray& empty, const RadianceTarget& out);
+
+private:
+    struct Key {
+        ShadeKey shade;
+        bool emissive = false;
+        auto operator<=>(const Key&) const = default;
+    };
+    const gl::ShaderSources* sources_;
+    Permutations<Key> programs_;
+};
+
+}  // namespace facet::frame

@@ -1,0 +1,142 @@
+// The scene as GL objects: draws, their uniform blocks and samplers.
+// SPDX-License-Identifier: MIT
+#include "frame/upload/gpu_scene.h"
+
+#include <cstring>
+
+#include "frame/shared.h"
+#include "frame/upload/upload_meshes.h"
+#include "frame/upload/upload_textures.h"
+
+namespace facet::frame {
+namespace {
+
+using math::Mat3;
+using math::Mat4;
+using math::Vec3;
+using math::Vec4;
+
+GLint gl_wrap(scene::Wrap wrap) {
+    switch (wrap) {
+        case scene::Wrap::repeat: return GL_REPEAT;
+        case scene::Wrap::clamp: return GL_CLAMP_TO_EDGE;
+        case scene::Wrap::mirror: return GL_MIRRORED_REPEAT;
+    }
+    return GL_REPEAT;
+}
+
+gl::SamplerSpec sampler_spec(const scene::Texture& texture, bool trilinear) {
+    return {.min_filter = trilinear ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR_MIPMAP_NEAREST,
+            .mag_filter = texture.nearest ? GL_NEAREST : GL_LINEAR,
+            .wrap_s = gl_wrap(texture.wrap_u),
+            .wrap_t = gl_wrap(texture.wrap_v)};
+}
+
+/// Normals turn by the cofactors: right for any scale, also where the inverse does not exist.
+Mat4 normal_matrix(const Mat4& m) {
+    const Vec3 x(m[0]);
+    const Vec3 y(m[1]);
+    const Vec3 z(m[2]);
+    const float handedness = math::dot(math::cross(x, y), z) < 0.0F ? -1.0F : 1.0F;
+    return Mat4(Mat3(math::cross(y, z) * handedness, math::cross(z, x) * handedness,
+                     math::cross(x, y) * handedness));
+}
+
+shared::Draw block_of(const scene::Instance& instance, const scene::Material& material,
+                      std::uint32_t material_index) {
+    const tables::MaterialValues& v = material.values;
+    shared::Draw block{};
+    block.world_from_object = instance.world_from_object;
+    block.normal_from_object = normal_matrix(instance.world_from_object);
+    block.base_color_opacity = Vec4(v.base_color, material.alpha_mode == scene::AlphaMode::opaque
+                                                      ? 1.0F
+                                                      : v.opacity);
+    block.metallic_roughness_normal_ao = {v.metallic, v.roughness, v.normal_scale, v.ao_strength};
+    block.emissive_nit_cutoff = Vec4(v.emissive * v.emissive_strength, v.alpha_cutoff);
+    for (std::size_t slot = 0; slot < material.textures.size(); ++slot) {
+        const scene::Texture texture = material.textures[slot].value_or(scene::Texture{});
+        const Mat3 rows = math::transpose(texture.uv_from_uv);
+        const auto set = static_cast<float>(texture.uv_set);
+        block.uv_rows[slot * 2] = Vec4(rows[0], set);
+        block.uv_rows[slot * 2 + 1] = Vec4(rows[1], set);
+    }
+    block.ids = {instance.object_id, material_index + 1, material.unlit ? 1U : 0U, 0U};
+    return block;
+}
+
+class Uploader {
+public:
+    Uploader(const gl::Context& gl, const scene::Scene& scene, Filtering filtering, GpuScene& out)
+        : gl_(gl), scene_(scene), filtering_(filtering), out_(out) {}
+
+    void add_draw(const scene::Instance& instance, const MeshRange& range,
+                  const std::map<TextureUse, std::size_t>& uses) {
+        const scene::Mesh& mesh = scene_.meshes[instance.mesh.index];
+        const scene::Material& material = scene_.materials[mesh.material.index];
+        if (range.index_count == 0) return;
+        Draw draw;
+        draw.key = material_key(scene_, material, mesh);
+        draw.index_count = range.index_count;
+        draw.first_index = range.first_index;
+        draw.base_vertex = range.base_vertex;
+        draw.center_m = Vec3(instance.world_from_object * Vec4(mesh.bounds_m.center(), 1.0F));
+        draw.blended = material.alpha_mode == scene::AlphaMode::blend;
+        draw.double_sided = material.double_sided;
+        const Mat3 linear(instance.world_from_object);
+        draw.mirrored = math::dot(math::cross(linear[0], linear[1]), linear[2]) < 0.0F;
+        for (std::size_t slot = 0; slot < material.textures.size(); ++slot)
+            if (material.textures[slot]) draw.textures[slot] = bound(*material.textures[slot], slot, uses);
+        draw.block_offset = add_block(block_of(instance, material, mesh.material.index));
+        out_.emits = out_.emits || (!draw.blended && material.values.emissive != Vec3(0.0F) &&
+                                    material.values.emissive_strength > 0.0F);
+        out_.draws.push_back(draw);
+    }
+
+    void finish() { out_.draw_blocks = gl::make_buffer(gl_, blocks_); }
+
+private:
+    BoundTexture bound(const scene::Texture& texture, std::size_t slot,
+                       const std::map<TextureUse, std::size_t>& uses) {
+        const auto use = uses.find({texture.image.index, tables::material_textures[slot].space});
+        if (use == uses.end()) return {};
+        const bool color = tables::material_textures[slot].space == tables::Space::srgb;
+        const auto spec = sampler_spec(texture, color || filtering_ == Filtering::trilinear);
+        auto sampler = out_.samplers.find(spec);
+        if (sampler == out_.samplers.end())
+            sampler = out_.samplers.emplace(spec, gl::make_sampler(gl_, spec)).first;
+        return {&out_.textures[use->second], &sampler->second};
+    }
+
+    /// Offsets into a uniform buffer must be multiples of a number that is at most 256 everywhere.
+    std::size_t add_block(const shared::Draw& block) {
+        constexpr std::size_t alignment = 256;
+        const std::size_t offset = (blocks_.size() + alignment - 1) / alignment * alignment;
+        blocks_.resize(offset + sizeof(block));
+        std::memcpy(blocks_.data() + offset, &block, sizeof(block));
+        return offset;
+    }
+
+    const gl::Context& gl_;
+    const scene::Scene& scene_;
+    Filtering filtering_;
+    GpuScene& out_;
+    std::vector<std::byte> blocks_;
+};
+
+}  // namespace
+
+base::Result<GpuScene> upload_scene(const gl::Context& gl, const scene::Scene& scene, Filtering filtering,
+                                    base::ThreadPool& pool) {
+    GpuScene out;
+    const auto ranges = upload_meshes(gl, scene, pool, out);
+    const auto uses = upload_textures(gl, scene, pool, out);
+    if (!uses) return tl::unexpected(uses.error());
+    Uploader uploader(gl, scene, filtering, out);
+    for (const scene::Instance& instance : scene.instances)
+        uploader.add_draw(instance, ranges[instance.mesh.index], *uses);
+    uploader.finish();
+    if (auto status = gl.check("upload"); !status) return tl::unexpected(status.error());
+    return out;
+}
+
+}  // namespace facet::frame

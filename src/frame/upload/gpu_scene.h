@@ -1,0 +1,55 @@
+// The scene as GL objects: one vertex and index buffer, textures with mips, one uniform block a draw.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "base/thread_pool.h"
+#include "frame/upload/material_key.h"
+#include "gl/objects.h"
+#include "scene/scene.h"
+
+namespace facet::frame {
+
+/// A texture and how it is looked up; both owned by the GpuScene.
+struct BoundTexture {
+    const gl::Texture* texture = nullptr;
+    const gl::Sampler* sampler = nullptr;
+};
+
+/// One instance to draw.
+struct Draw {
+    MaterialKey key;
+    std::array<BoundTexture, tables::material_textures.size()> textures{};
+    GLsizei index_count = 0;
+    std::size_t first_index = 0;
+    GLint base_vertex = 0;
+    std::size_t block_offset = 0;  ///< of its DrawBlock in `draw_blocks`
+    math::Vec3 center_m{0.0F};     ///< of its bounds, world space: the order of drawing
+    bool blended = false;
+    bool double_sided = false;
+    bool mirrored = false;         ///< its matrix turns it inside out
+};
+
+struct GpuScene {
+    gl::Buffer vertices;
+    gl::Buffer indices;
+    gl::VertexArray vertex_array;
+    gl::Buffer draw_blocks;
+    std::vector<gl::Texture> textures;
+    std::map<gl::SamplerSpec, gl::Sampler> samplers;
+    std::vector<Draw> draws;
+    bool emits = false;  ///< some opaque material has emission
+};
+
+/// How textures other than the base colour are filtered: `fast` takes the nearest mip.
+enum class Filtering { fast, trilinear };
+
+/// Uploads everything; mips are made on `pool`. Errors: limit_reached (a texture above the driver's limit).
+[[nodiscard]] base::Result<GpuScene> upload_scene(const gl::Context& gl, const scene::Scene& scene,
+                                                  Filtering filtering, base::ThreadPool& pool);
+
+}  // namespace facet::frame

@@ -1,0 +1,26 @@
+// One view of the scene: where the camera is and which part of the picture is drawn.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "frame/shared.h"
+#include "math/vector.h"
+#include "scene/scene.h"
+
+namespace facet::frame {
+
+/// `region` of a picture of `picture` pixels, its corner counted from the top left.
+struct Region {
+    std::uint32_t x = 0;
+    std::uint32_t y = 0;
+    math::Extent size;
+};
+
+/// The view block's camera part for one jittered frame. `jitter_px` is the sample's place in the pixel,
+/// relative to its centre, in -0.5..0.5, y down.
+[[nodiscard]] shared::View view_block(const scene::Camera& camera, math::Extent picture,
+                                      const Region& region, math::Vec2 jitter_px);
+
+/// Place of sample `index` of `count` in its pixel: N-rooks, centred on 0, the same for every run.
+[[nodiscard]] math::Vec2 jitter_px(std::uint32_t index, std::uint32_t count);
+
+}  // namespace facet::frame

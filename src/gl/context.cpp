@@ -1,0 +1,168 @@
+// A GL context without a window.
+// SPDX-License-Identifier: MIT
+#include "gl/context.h"
+
+#include <array>
+#include <cstdlib>
+#include <filesystem>
+#include <string_view>
+
+#include "gl/platform.h"
+
+namespace facet::gl {
+namespace {
+
+#ifdef FACET_GL_DEBUG
+constexpr bool debug_build = true;
+#else
+constexpr bool debug_build = false;
+#endif
+
+struct Way {
+    const char* name;
+    Backend backend;
+    PlatformResult (*open)();
+};
+constexpr std::array ways = {Way{"EGL device", Backend::egl, open_egl_device},
+                             Way{"EGL surfaceless", Backend::egl, open_egl_surfaceless},
+                             Way{"OSMesa", Backend::osmesa, open_osmesa}};
+
+void APIENTRY on_debug_message(GLenum, GLenum type, GLuint, GLenum severity, GLsizei,
+                               const GLchar* message, const void* user) {
+    if (severity == GL_DEBUG_SEVERITY_NOTIFICATION) return;
+    auto& log = *const_cast<base::Log*>(static_cast<const base::Log*>(user));
+    log.write(type == GL_DEBUG_TYPE_ERROR ? base::LogLevel::warn : base::LogLevel::debug,
+              std::string("gl: ") + message);
+}
+
+}  // namespace
+
+struct Context::State {
+    Platform platform;
+    Api api;
+    std::string renderer;
+    std::string version;
+
+    ~State() {
+        if (platform.end) platform.end();
+    }
+
+    /// Fills the table and the strings, or says what is missing.
+    Failure describe() {
+        if (const char* missing = load(api, platform.loader))
+            return {std::string("the driver lacks ") + missing, "update Mesa to 20 or later"};
+        const auto text = [&](GLenum name) {
+            return std::string(reinterpret_cast<const char*>(api.GetString(name)));
+        };
+        renderer = text(GL_RENDERER);
+        version = text(GL_VERSION);
+        return {};
+    }
+};
+
+Context::Context(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Context::~Context() = default;
+Context::Context(Context&&) noexcept = default;
+Context& Context::operator=(Context&&) noexcept = default;
+
+base::Result<Context> Context::create(Backend backend, base::Log& log) {
+    std::string reasons;
+    std::string remedy;
+    for (const Way& way : ways) {
+        if (backend != Backend::automatic && backend != way.backend) continue;
+        Failure failure;
+        if (auto platform = way.open()) {
+            auto state = std::make_unique<State>();
+            state->platform = std::move(*platform);
+            failure = state->describe();
+            if (failure.reason.empty()) {
+                if (debug_build || log.shows(base::LogLevel::debug)) {
+                    state->api.Enable(GL_DEBUG_OUTPUT);
+                    state->api.Enable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
+                    state->api.DebugMessageCallback(on_debug_message, &log);
+                }
+                log.debug("{}: {}, {}", way.name, state->renderer, state->version);
+                return Context(std::move(state));
+            }
+        } else {
+            failure = platform.error();
+        }
+        log.debug("{}: {}", way.name, failure.reason);
+        reasons += (reasons.empty() ? "" : "; ") + std::string(way.name) + ": " + failure.reason;
+        remedy = failure.remedy;
+    }
+    return base::fail({.code = base::ErrorCode::no_backend,
+                       .what = "no usable GL backend",
+                       .found = reasons,
+                       .remedy = remedy});
+}
+
+const Api& Context::api() const noexcept { return state_->api; }
+const std::string& Context::backend() const noexcept { return state_->platform.backend; }
+const std::string& Context::renderer() const noexcept { return state_->renderer; }
+const std::string& Context::version() const noexcept { return state_->version; }
+
+bool Context::is_software() const noexcept {
+    return state_->renderer.find("llvmpipe") != std::string::npos ||
+           state_->renderer.find("softpipe") != std::string::npos;
+}
+
+base::Status Context::check(const char* pass) const {
+    const GLenum error = state_->api.GetError();
+    if (error == GL_NO_ERROR) return {};
+    const bool memory = error == GL_OUT_OF_MEMORY;
+    return base::fail({.code = memory ? base::ErrorCode::limit_reached : base::ErrorCode::internal,
+                       .where = pass,
+                       .what = memory ? "GL is out of memory" : "GL reports an error",
+                       .found = fmt::format("0x{:x}", error),
+                       .remedy = memory ? "a smaller --size, or fewer AOVs" : ""});
+}
+
+std::vector<BackendReport> probe_backends() {
+    std::vector<BackendReport> reports;
+    for (const Way& way : ways) {
+        BackendReport report{.name = way.name};
+        Failure failure;
+        if (auto platform = way.open()) {
+            Context::State state;
+            state.platform = std::move(*platform);
+            failure = state.describe();
+            report.works = failure.reason.empty();
+            report.renderer = state.renderer;
+            report.version = state.version;
+        } else {
+            failure = platform.error();
+        }
+        report.reason = failure.reason;
+        report.remedy = failure.remedy;
+        reports.push_back(std::move(report));
+    }
+    return reports;
+}
+
+std::string shader_cache_folder() {
+    const auto variable = [](const char* name) -> std::string_view {
+        const char* value = std::getenv(name);
+        return value == nullptr ? "" : value;
+    };
+    if (!variable("MESA_SHADER_CACHE_DIR").empty()) return std::string(variable("MESA_SHADER_CACHE_DIR"));
+    std::filesystem::path cache(variable("XDG_CACHE_HOME"));
+    if (!cache.is_absolute()) {
+        const std::filesystem::path home(variable("HOME"));
+        if (!home.is_absolute()) return "";
+        cache = home / ".cache";
+    }
+    return (cache / "facet" / "shaders").string();
+}
+
+void prepare_environment(unsigned thread_count) {
+    // Mesa makes the last folder of the path only.
+    if (const std::string folder = shader_cache_folder(); !folder.empty()) {
+        std::error_code error;
+        std::filesystem::create_directories(folder, error);
+        if (!error) ::setenv("MESA_SHADER_CACHE_DIR", folder.c_str(), 0);
+    }
+    if (thread_count > 0) ::setenv("LP_NUM_THREADS", std::to_string(thread_count).c_str(), 0);
+}
+
+}  // namespace facet::gl

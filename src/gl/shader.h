@@ -1,0 +1,48 @@
+// Shader programs from GLSL files: own #include expansion, permutation defines, errors with file and line.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+#include "gl/context.h"
+#include "gl/handle.h"
+
+namespace facet::gl {
+
+/// Assembled GLSL: `#include "path"` (from the glsl folder) is replaced by the file, once a path; each text's
+/// lines carry #line markers whose source number is an index into `files`.
+struct ShaderText {
+    std::string text;
+    std::vector<std::string> files;
+};
+
+/// Where GLSL comes from: the glsl folder, and texts made by the program under names of their own.
+struct ShaderSources {
+    std::filesystem::path folder;
+    std::map<std::string, std::string> generated;  ///< include path -> text
+};
+
+/// Errors: internal, naming the file and the line of an include that is not there.
+[[nodiscard]] base::Result<ShaderText> assemble(const ShaderSources& sources, const std::string& path,
+                                                std::string_view defines);
+
+/// A program of one vertex and one fragment file. `defines` holds `#define` lines.
+struct ProgramSpec {
+    std::string vertex;
+    std::string fragment;
+    std::string defines;
+};
+/// Errors: internal, with the driver's first message at the GLSL's own file and line.
+[[nodiscard]] base::Result<Program> build_program(const Context& gl, const ShaderSources& sources,
+                                                  const ProgramSpec& spec);
+
+/// Binds a uniform block or sampler of a program to a fixed place; a name the compiler dropped is skipped.
+void bind_block(const Context& gl, const Program& program, const char* block, GLuint binding);
+void bind_sampler(const Context& gl, const Program& program, const char* name, GLint unit);
+
+}  // namespace facet::gl

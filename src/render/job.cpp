@@ -1,0 +1,52 @@
+// What a picture is made of, loaded.
+// SPDX-License-Identifier: MIT
+#include "render/job.h"
+
+#include "base/file.h"
+#include "scene/camera_spec.h"
+#include "scene/light_spec.h"
+#include "scene/load.h"
+#include "scene/set_path.h"
+
+namespace facet::render {
+namespace {
+
+base::Result<scene::Loaded> load_scene(const Request& request, const Plan& plan, base::ThreadPool& pool) {
+    const tables::Settings& settings = request.settings;
+    scene::LoadOptions options{.ignored_required = settings.ignore_required, .strict = settings.strict};
+    options.allowed_folders.assign(settings.allow_read.begin(), settings.allow_read.end());
+    if (!settings.base.empty()) options.base_folder = settings.base;
+    if (request.scene != "-") return scene::load(request.scene, options, plan.limits, pool);
+    const auto bytes = base::read_stdin(plan.limits.file_bytes);
+    if (!bytes) return tl::unexpected(bytes.error());
+    return scene::load_bytes(*bytes, "-", options, plan.limits, pool);
+}
+
+}  // namespace
+
+base::Result<Job> load_job(const Request& request, const Plan& plan, base::ThreadPool& pool) {
+    const tables::Settings& settings = request.settings;
+    auto loaded = load_scene(request, plan, pool);
+    if (!loaded) return tl::unexpected(loaded.error());
+    Job job{.scene = std::move(loaded->scene),
+            .warnings = std::move(loaded->warnings),
+            .reads = std::move(loaded->reads)};
+    if (settings.no_file_lights) job.scene.lights.clear();
+    for (const std::string& text : settings.light) {
+        auto light = scene::parse_light(text);
+        if (!light) return tl::unexpected(base::in_file(light.error(), "--light"));
+        job.scene.lights.push_back(std::move(*light));
+    }
+    for (const std::string& text : settings.set)
+        if (auto set = scene::apply_set(job.scene, text); !set)
+            return tl::unexpected(base::in_file(set.error(), "--set"));
+    auto environment = scene::load_environment(settings.env, plan.limits, pool, job.warnings);
+    if (!environment) return tl::unexpected(base::in_file(environment.error(), "--env"));
+    job.environment = std::move(*environment);
+    auto camera = scene::resolve_camera(job.scene, settings.camera, settings.fov, settings.size);
+    if (!camera) return tl::unexpected(base::in_file(camera.error(), "--camera"));
+    job.camera = std::move(*camera);
+    return job;
+}
+
+}  // namespace facet::render

@@ -1,0 +1,192 @@
+// The settings of a request, understood.
+// SPDX-License-Identifier: MIT
+#include "render/plan.h"
+
+#include <array>
+#include <cmath>
+#include <string>
+
+#include <spdlog/fmt/fmt.h>
+
+#include "base/text.h"
+#include "brdf/choice.h"
+#include "math/color.h"
+
+namespace facet::render {
+namespace {
+
+using base::ErrorCode;
+using base::Result;
+
+/// Larger pictures want --region, or a poster printer.
+constexpr std::uint32_t max_side_px = 16384;
+
+tl::unexpected<base::Error> usage(std::string option, std::string what, std::string found,
+                                  std::string remedy) {
+    return base::fail({.code = ErrorCode::usage,
+                       .file = std::move(option),
+                       .what = std::move(what),
+                       .found = std::move(found),
+                       .remedy = std::move(remedy)});
+}
+
+/// "did you mean a, b", or the whole list where nothing is near.
+std::string suggestion(std::string_view text, std::span<const std::string> names) {
+    const auto near = base::nearest(text, names);
+    return near.empty() ? "one of " + base::join(names, ", ") : "did you mean " + base::join(near, ", ");
+}
+
+/// Index of `text` among `names`.
+Result<std::size_t> choose(const char* option, std::string_view text, std::span<const std::string> names) {
+    for (std::size_t i = 0; i < names.size(); ++i)
+        if (names[i] == text) return i;
+    return usage(option, "no such value", std::string(text), suggestion(text, names));
+}
+
+template <class Rows>
+std::vector<std::string> keys(const Rows& rows) {
+    std::vector<std::string> names;
+    for (const auto& row : rows) names.emplace_back(row.key);
+    return names;
+}
+
+std::optional<math::Vec3> parse_hex_color(std::string_view text) {
+    if (text.size() != 7 || text[0] != '#') return std::nullopt;
+    math::Vec3 color;
+    for (int c = 0; c < 3; ++c) {
+        const std::string digits(text.substr(1 + 2 * static_cast<std::size_t>(c), 2));
+        char* end = nullptr;
+        const long code = std::strtol(digits.c_str(), &end, 16);
+        if (end != digits.c_str() + 2) return std::nullopt;
+        color[c] = math::linear_from_srgb(static_cast<float>(code) / 255.0F);
+    }
+    return color;
+}
+
+base::Status plan_size(const tables::Settings& settings, Plan& plan) {
+    plan.picture = settings.size;
+    if (plan.picture.width == 0 || plan.picture.height == 0 || plan.picture.width > max_side_px ||
+        plan.picture.height > max_side_px)
+        return base::fail({.code = plan.picture.pixels() == 0 ? ErrorCode::usage : ErrorCode::limit_reached,
+                           .file = "--size",
+                           .what = fmt::format("sides are 1 to {} pixels", max_side_px),
+                           .found = fmt::format("{}x{}", plan.picture.width, plan.picture.height),
+                           .remedy = "a smaller --size"});
+    plan.region = {0, 0, plan.picture};
+    if (settings.region.empty()) return {};
+    const auto parts = base::split(settings.region, ',');
+    const auto sides = parts.size() == 3 ? base::split(parts[2], 'x') : std::vector<std::string_view>{};
+    if (sides.size() == 2) {
+        const auto x = base::parse_integer(parts[0]);
+        const auto y = base::parse_integer(parts[1]);
+        const auto w = base::parse_integer(sides[0]);
+        const auto h = base::parse_integer(sides[1]);
+        if (x && y && w && h && *x >= 0 && *y >= 0 && *w > 0 && *h > 0 && *w <= settings.size.width &&
+            *h <= settings.size.height && *x <= settings.size.width - *w &&
+            *y <= settings.size.height - *h) {
+            plan.region = {static_cast<std::uint32_t>(*x), static_cast<std::uint32_t>(*y),
+                           {static_cast<std::uint32_t>(*w), static_cast<std::uint32_t>(*h)}};
+            return {};
+        }
+    }
+    return usage("--region", "not X,Y,WxH within the picture", settings.region,
+                 fmt::format("for example 0,0,{}x{}", plan.picture.width, plan.picture.height));
+}
+
+base::Status plan_quality(const tables::Settings& settings, Plan& plan) {
+    static constexpr std::array<std::uint32_t, 3> samples = {1, 8, 32};
+    const std::array<std::string, 3> names = {"draft", "standard", "final"};
+    const auto quality = choose("--quality", settings.quality, names);
+    if (!quality) return tl::unexpected(quality.error());
+    plan.is_draft = *quality == 0;
+    plan.sample_count = settings.samples > 0 ? settings.samples : samples[*quality];
+    const std::array<std::string, 4> depths = {"8", "16", "half", "float"};
+    if (!settings.depth.empty()) {
+        const auto depth = choose("--depth", settings.depth, depths);
+        if (!depth) return tl::unexpected(depth.error());
+        plan.display_sample = *depth == 1 ? image::Sample::u16 : image::Sample::u8;
+    }
+    return {};
+}
+
+base::Status plan_background(const tables::Settings& settings, Plan& plan) {
+    const std::string& text = settings.background;
+    plan.background = {};
+    if (text == "env") return {};
+    if (text == "none") {
+        plan.background.kind = frame::BackgroundKind::none;
+        return {};
+    }
+    if (const auto color = parse_hex_color(text)) {
+        plan.background.kind = frame::BackgroundKind::color;
+        plan.background.color = *color;
+        return {};
+    }
+    if (text.starts_with("blur:")) {
+        const auto blur = base::parse_number(std::string_view(text).substr(5));
+        if (blur && *blur >= 0.0 && *blur <= 1.0) {
+            plan.background.kind = frame::BackgroundKind::blurred;
+            plan.background.blur = static_cast<float>(*blur);
+            return {};
+        }
+    }
+    return usage("--background", "not a background", text, "env, none, #rrggbb, or blur:X with X in 0..1");
+}
+
+base::Status plan_exposure(const tables::Settings& settings, Plan& plan) {
+    const auto names = keys(tables::tonemaps);
+    const auto tonemap = choose("--tonemap", settings.tonemap, names);
+    if (!tonemap) return tl::unexpected(tonemap.error());
+    plan.tonemap = static_cast<tables::Tonemap>(*tonemap);
+    if (settings.ev && settings.exposure != "auto")
+        return usage("--ev", "cannot be given together with --exposure", "", "leave one of them out");
+    // ISO 12232 with q = 0.65: the saturation luminance of EV 0 is 1.2 nit.
+    if (settings.ev) plan.exposure = 1.0 / (1.2 * std::exp2(static_cast<double>(*settings.ev)));
+    if (settings.exposure == "auto") return {};
+    const auto factor = base::parse_number(settings.exposure);
+    if (!factor || *factor <= 0.0 || *factor > 1e12)
+        return usage("--exposure", "not a factor above 0 or auto", settings.exposure, "for example 1");
+    plan.exposure = *factor;
+    return {};
+}
+
+base::Status plan_aovs(const tables::Settings& settings, Plan& plan) {
+    const auto names = keys(tables::aovs);
+    for (const std::string& name : settings.aov) {
+        if (name == "beauty") continue;
+        if (name == "all") {
+            plan.aovs.clear();
+            for (std::size_t i = 0; i < names.size(); ++i) plan.aovs.push_back(static_cast<tables::Aov>(i));
+            return {};
+        }
+        const auto aov = choose("--aov", name, names);
+        if (!aov) return tl::unexpected(aov.error());
+        plan.aovs.push_back(static_cast<tables::Aov>(*aov));
+    }
+    return {};
+}
+
+base::Status plan_machine(const tables::Settings& settings, Plan& plan) {
+    const std::array<std::string, 3> names = {"auto", "egl", "osmesa"};
+    const auto backend = choose("--backend", settings.backend, names);
+    if (!backend) return tl::unexpected(backend.error());
+    plan.backend = static_cast<gl::Backend>(*backend);
+    if (settings.max_memory > 0) plan.limits.memory_bytes = std::size_t{settings.max_memory} << 20U;
+    if (settings.max_vertices > 0) plan.limits.vertices = settings.max_vertices;
+    return {};
+}
+
+}  // namespace
+
+Result<Plan> make_plan(const tables::Settings& settings) {
+    Plan plan;
+    for (const auto step :
+         {plan_size, plan_quality, plan_background, plan_exposure, plan_aovs, plan_machine})
+        if (auto status = step(settings, plan); !status) return tl::unexpected(status.error());
+    auto brdf = brdf::parse_choice(settings.brdf, brdf::Use::render);
+    if (!brdf) return tl::unexpected(base::in_file(brdf.error(), "--brdf"));
+    plan.brdf = *brdf;
+    return plan;
+}
+
+}  // namespace facet::render

@@ -1,0 +1,39 @@
+// The settings of a request, understood: every text parsed and checked before any work starts.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "base/limits.h"
+#include "base/result.h"
+#include "frame/background/background.h"
+#include "frame/view.h"
+#include "gl/context.h"
+#include "image/image.h"
+#include "tables/aovs.h"
+#include "tables/brdf_terms.h"
+#include "tables/settings.h"
+#include "tables/tonemaps.h"
+
+namespace facet::render {
+
+struct Plan {
+    math::Extent picture;
+    frame::Region region;
+    image::Sample display_sample = image::Sample::u8;
+    std::uint32_t sample_count = 1;
+    bool is_draft = false;
+    frame::Background background;
+    std::optional<double> exposure;  ///< none: automatic
+    tables::Tonemap tonemap = tables::Tonemap::pbr_neutral;
+    tables::BrdfChoice brdf;
+    std::vector<tables::Aov> aovs;
+    gl::Backend backend = gl::Backend::automatic;
+    base::Limits limits;
+};
+
+/// Errors: usage, naming the option and what it takes.
+[[nodiscard]] base::Result<Plan> make_plan(const tables::Settings& settings);
+
+}  // namespace facet::render

@@ -1,0 +1,66 @@
+// One request, one picture.
+// SPDX-License-Identifier: MIT
+#include "render/render.h"
+
+#include <cmath>
+
+#include "base/thread_pool.h"
+#include "render/plan.h"
+#include "render/session.h"
+#include "render/stopwatch.h"
+
+namespace facet::render {
+namespace {
+
+/// NaN and infinity never reach a file unasked (faults, L7); infinite depth is meant.
+void clean(std::vector<image::Layer>& layers, base::Warnings& warnings) {
+    for (image::Layer& layer : layers) {
+        if (layer.name == "depth") continue;
+        std::size_t count = 0;
+        for (float& value : layer.image.as<float>())
+            if (!std::isfinite(value)) {
+                value = 0.0F;
+                ++count;
+            }
+        if (count > 0)
+            warnings.push_back({.where = layer.name.empty() ? "beauty" : layer.name,
+                                .what = "values that are not finite became 0",
+                                .found = fmt::format("{}", count),
+                                .remedy = "--keep-nan writes them to EXR as they are"});
+    }
+}
+
+base::Status draw(Session& session, const Request& request, const Plan& plan, Rendered& out) {
+    const std::uint32_t count = plan.sample_count;
+    for (std::uint32_t i = 0; i < count; ++i)
+        if (auto drawn = session.draw(i, count); !drawn) return drawn;
+    out.exposure = plan.exposure ? *plan.exposure : session.measure_exposure(count);
+    if (request.want_linear) {
+        out.layers.push_back(session.read_beauty(out.exposure, count));
+    } else {
+        if (auto shown = session.display(out.exposure, count); !shown) return shown;
+        out.display = session.read_display();
+    }
+    if (auto drawn = session.draw_centered_aovs(); !drawn) return drawn;
+    for (image::Layer& layer : session.read_aovs(count)) out.layers.push_back(std::move(layer));
+    if (!request.settings.keep_nan) clean(out.layers, out.warnings);
+    return {};
+}
+
+}  // namespace
+
+base::Result<Rendered> render(const Request& request, base::Log& log) {
+    const auto plan = make_plan(request.settings);
+    if (!plan) return tl::unexpected(plan.error());
+    base::ThreadPool pool(request.settings.threads);
+    Rendered out;
+    auto session = Session::create(request, *plan, pool, log, out);
+    if (!session) return tl::unexpected(session.error());
+    Stopwatch watch;
+    if (auto drawn = draw(*session, request, *plan, out); !drawn) return tl::unexpected(drawn.error());
+    out.ms.render = watch.lap_ms();
+    log.debug("load {:.0f} ms, upload {:.0f} ms, render {:.0f} ms", out.ms.load, out.ms.upload, out.ms.render);
+    return out;
+}
+
+}  // namespace facet::render

@@ -1,0 +1,123 @@
+// A scene on the GL, ready to be drawn as often as wanted.
+// SPDX-License-Identifier: MIT
+#include "render/session.h"
+
+#include <future>
+
+#include "base/resources.h"
+#include "brdf/albedo.h"
+#include "brdf/glsl_text.h"
+#include "frame/output/exposure.h"
+#include "render/stopwatch.h"
+
+namespace facet::render {
+
+base::Result<Session> Session::create(const Request& request, const Plan& plan, base::ThreadPool& pool,
+                                      base::Log& log, Rendered& out) {
+    Stopwatch watch;
+    Session session(plan, pool);
+    // The context comes up while the files are read: it waits for the driver, they for the decoder.
+    auto loading = std::async(std::launch::async, [&] { return load_job(request, plan, pool); });
+    auto gl = gl::Context::create(plan.backend, log);
+    auto job = loading.get();
+    if (!job) return tl::unexpected(job.error());
+    if (!gl) return tl::unexpected(gl.error());
+    session.gl_ = std::move(*gl);
+    session.job_ = std::move(*job);
+    out.size = plan.region.size;
+    out.ms.load = watch.lap_ms();
+    out.backend = session.gl_->backend() + " (" + session.gl_->renderer() + ")";
+    out.triangles = session.job_.scene.triangle_count();
+    out.materials = session.job_.scene.materials.size();
+    out.warnings = session.job_.warnings;
+    out.reads = session.job_.reads;
+    if (auto s = session.upload(request.settings, out.warnings); !s) return tl::unexpected(s.error());
+    out.ms.upload = watch.lap_ms();
+    return session;
+}
+
+base::Status Session::upload(const tables::Settings& settings, base::Warnings& warnings) {
+    const auto folder = base::data_folder();
+    if (!folder) return tl::unexpected(folder.error());
+    auto brdf_text = brdf::glsl_text(plan_->brdf);
+    if (!brdf_text) return tl::unexpected(brdf_text.error());
+    sources_ = std::make_unique<gl::ShaderSources>();
+    *sources_ = {*folder / "glsl", {{"generated/brdf.glsl", *brdf_text}}};
+    const auto filtering = plan_->is_draft ? frame::Filtering::fast : frame::Filtering::trilinear;
+    auto scene = frame::upload_scene(*gl_, job_.scene, filtering, *pool_);
+    if (!scene) return tl::unexpected(scene.error());
+    scene_ = std::move(*scene);
+    const brdf::AlbedoTable table = brdf::albedo_table(plan_->brdf);
+    auto environment = frame::upload_environment(
+        *gl_, job_.environment,
+        {settings.env_rotation, settings.env_intensity,
+         plan_->background.kind == frame::BackgroundKind::sharp},
+        table.texels, table.size, *pool_, warnings);
+    if (!environment) return tl::unexpected(environment.error());
+    environment_ = std::move(*environment);
+    lights_ = std::make_unique<frame::PackedLights>(frame::pack_lights(job_.scene.lights));
+    auto frame = frame::Frame::create(*gl_, *sources_,
+                                      {.picture = plan_->picture,
+                                       .region = plan_->region,
+                                       .emissive = scene_.emits,
+                                       .aovs = plan_->aovs});
+    if (!frame) return tl::unexpected(frame.error());
+    frame_ = std::move(*frame);
+    return {};
+}
+
+base::Status Session::draw(std::uint32_t index, std::uint32_t count, frame::PassTimes* times) {
+    return frame_->draw(*gl_, inputs(), index, count, times);
+}
+
+base::Status Session::draw_centered_aovs() { return frame_->draw_centered_aovs(*gl_, inputs()); }
+
+double Session::measure_exposure(std::uint32_t count) {
+    const math::Extent size = frame_->size();
+    std::vector<float> radiance(static_cast<std::size_t>(size.pixels()) * 4);
+    std::vector<float> depth(static_cast<std::size_t>(size.pixels()));
+    gl::read_pixels(*gl_, frame_->sum_framebuffer(count), 0, size, {GL_RGBA, GL_FLOAT},
+                    std::as_writable_bytes(std::span(radiance)));
+    gl::read_pixels(*gl_, frame_->depth_framebuffer(), 0, size, {GL_DEPTH_COMPONENT, GL_FLOAT},
+                    std::as_writable_bytes(std::span(depth)));
+    return frame::auto_exposure(radiance, depth, count, *pool_);
+}
+
+base::Status Session::display(double exposure, std::uint32_t count) {
+    frame::DisplaySettings settings{
+        .tonemap = plan_->tonemap,
+        .exposure = exposure,
+        .frame_count = count,
+        .sample = plan_->display_sample,
+        .dither = !plan_->is_draft && plan_->display_sample == image::Sample::u8};
+    if (plan_->background.kind == frame::BackgroundKind::color) settings.background = plan_->background.color;
+    return frame_->display(*gl_, settings);
+}
+
+void Session::set_lights(std::span<const scene::Light> lights) {
+    lights_ = std::make_unique<frame::PackedLights>(frame::pack_lights(lights));
+}
+
+image::Layer Session::read_beauty(double exposure, std::uint32_t count) const {
+    image::Layer layer{.name = "",
+                       .channels = {"R", "G", "B", "A"},
+                       .image = frame::read_radiance(*gl_, frame_->sum_framebuffer(count), frame_->size())};
+    const float share = 1.0F / static_cast<float>(count);
+    const bool over_color = plan_->background.kind == frame::BackgroundKind::color;
+    const math::Vec3 under = plan_->background.color / static_cast<float>(exposure);
+    const auto values = layer.image.as<float>();
+    for (std::size_t i = 0; i < values.size(); i += 4) {
+        const float alpha = values[i + 3] * share;
+        for (std::size_t c = 0; c < 3; ++c)
+            values[i + c] = values[i + c] * share +
+                            (over_color ? under[static_cast<int>(c)] * (1.0F - alpha) : 0.0F);
+        values[i + 3] = over_color ? 1.0F : alpha;
+    }
+    return layer;
+}
+
+std::vector<image::Layer> Session::read_aovs(std::uint32_t count) const {
+    return frame_->read_aovs(*gl_, count);
+}
+
+}  // namespace facet::render

@@ -1,0 +1,60 @@
+// A scene on the GL, ready to be drawn as often as wanted: what render(), the benchmark and the studio share.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "base/log.h"
+#include "base/thread_pool.h"
+#include "frame/frame.h"
+#include "render/job.h"
+#include "render/plan.h"
+
+namespace facet::render {
+
+class Session {
+public:
+    /// Loads while the context comes up, then uploads. Fills the times, counts and warnings of `out`.
+    /// `plan`, `pool` and `log` outlive the session. Errors: as render().
+    [[nodiscard]] static base::Result<Session> create(const Request& request, const Plan& plan,
+                                                      base::ThreadPool& pool, base::Log& log, Rendered& out);
+
+    [[nodiscard]] base::Status draw(std::uint32_t index, std::uint32_t count,
+                                    frame::PassTimes* times = nullptr);
+    [[nodiscard]] base::Status draw_centered_aovs();
+    /// The contract's automatic exposure of the `count` frames drawn.
+    [[nodiscard]] double measure_exposure(std::uint32_t count);
+    /// Encodes for a screen, on the GL; read_display() fetches the picture.
+    [[nodiscard]] base::Status display(double exposure, std::uint32_t count);
+    [[nodiscard]] image::Image read_display() const { return frame_->read_display(*gl_); }
+    [[nodiscard]] const scene::Scene& scene() const { return job_.scene; }
+    /// Replaces the scene's lights from the next frame on.
+    void set_lights(std::span<const scene::Light> lights);
+    /// Beauty as radiance in nit, over the background colour where one is named.
+    [[nodiscard]] image::Layer read_beauty(double exposure, std::uint32_t count) const;
+    [[nodiscard]] std::vector<image::Layer> read_aovs(std::uint32_t count) const;
+    /// Returns when every pixel drawn so far is complete.
+    void finish() const { gl_->api().Finish(); }
+
+private:
+    Session(const Plan& plan, base::ThreadPool& pool) : plan_(&plan), pool_(&pool) {}
+    [[nodiscard]] base::Status upload(const tables::Settings& settings, base::Warnings& warnings);
+
+    const Plan* plan_;
+    base::ThreadPool* pool_;
+    // Declared first, so that it dies last: every GL object below needs it.
+    std::optional<gl::Context> gl_;
+    Job job_;
+    std::unique_ptr<gl::ShaderSources> sources_;  // passes keep its address
+    frame::GpuScene scene_;
+    frame::EnvironmentMaps environment_;
+    std::unique_ptr<frame::PackedLights> lights_;
+    std::optional<frame::Frame> frame_;
+
+    [[nodiscard]] frame::FrameInputs inputs() const {
+        return {scene_, environment_, *lights_, job_.camera, plan_->background};
+    }
+};
+
+}  // namespace facet::render

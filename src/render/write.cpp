@@ -1,0 +1,159 @@
+// A picture into its file, and the AOVs into or beside it.
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include <spdlog/fmt/fmt.h>
+
+#include "base/file.h"
+#include "base/text.h"
+#include "image/write.h"
+#include "math/color.h"
+#include "render/render.h"
+#include "tables/aovs.h"
+
+namespace facet::render {
+namespace {
+
+namespace fs = std::filesystem;
+using tables::ImageFormat;
+
+base::Result<ImageFormat> format_by_ending(const fs::path& output) {
+    std::string ending = output.extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    std::vector<std::string> known;
+    for (std::size_t i = 0; i < tables::image_formats.size(); ++i)
+        for (const std::string_view name : base::split(tables::image_formats[i].endings, ',')) {
+            known.push_back(fmt::format(".{}", name));
+            if (ending == known.back()) return static_cast<ImageFormat>(i);
+        }
+    return base::fail({.code = base::ErrorCode::usage,
+                       .file = output.string(),
+                       .what = "no such picture format",
+                       .found = ending,
+                       .remedy = "one of " + base::join(known, " ")});
+}
+
+base::Result<image::Depth> depth_for(const tables::ImageFormatRow& row, const std::string& asked) {
+    const auto allowed = base::split(row.depths, ',');
+    std::string_view name = asked;
+    // EXR holds float unless half is asked for; the others take their first depth.
+    if (asked.empty()) name = row.layers ? "float" : allowed.front();
+    if (std::find(allowed.begin(), allowed.end(), name) == allowed.end())
+        return base::fail({.code = base::ErrorCode::usage,
+                           .file = "--depth",
+                           .what = fmt::format("{} has no such depth", row.key),
+                           .found = asked,
+                           .remedy = fmt::format("one of {}", row.depths)});
+    if (name == "8") return image::Depth::u8;
+    if (name == "16") return image::Depth::u16;
+    return name == "half" ? image::Depth::half : image::Depth::f32;
+}
+
+const tables::AovRow& row_of(std::string_view key) {
+    return *std::find_if(tables::aovs.begin(), tables::aovs.end(),
+                         [&](const tables::AovRow& row) { return row.key == key; });
+}
+
+/// A colour an id that stays apart from its neighbours': the golden ratio's turns of hue.
+math::Vec3 id_color(float id) {
+    if (id == 0.0F) return math::Vec3(0.0F);
+    const float hue = std::fmod(id * 0.618033988F, 1.0F) * 6.0F;
+    const auto channel = [&](float at) {
+        const float d = std::fabs(std::fmod(hue - at + 9.0F, 6.0F) - 3.0F);
+        return std::clamp(d - 1.0F, 0.15F, 0.95F);
+    };
+    return {channel(0.0F), channel(2.0F), channel(4.0F)};
+}
+
+/// The finite values' ends, for AOVs without a natural range.
+std::pair<float, float> finite_range(std::span<const float> values) {
+    float low = INFINITY;
+    float high = -INFINITY;
+    for (const float v : values)
+        if (std::isfinite(v)) {
+            low = std::min(low, v);
+            high = std::max(high, v);
+        }
+    return low < high ? std::pair(low, high) : std::pair(0.0F, 1.0F);
+}
+
+/// An AOV as an RGB picture that a person can look at.
+image::Image viewable(const image::Layer& layer) {
+    const tables::AovRow& row = row_of(layer.name);
+    const auto values = layer.image.as<float>();
+    const std::size_t channels = layer.image.channels;
+    const auto [low, high] = finite_range(values);
+    image::Image out(layer.image.size, 3, image::Sample::u8);
+    const auto codes = out.as<std::uint8_t>();
+    for (std::size_t i = 0; i < values.size() / channels; ++i) {
+        math::Vec3 color;
+        for (std::size_t c = 0; c < 3; ++c) {
+            const float v = values[i * channels + (channels == 3 ? c : 0)];
+            float shown = v;
+            if (row.png == tables::PngCode::signed_unit) shown = v * 0.5F + 0.5F;
+            if (row.png == tables::PngCode::range) shown = std::isfinite(v) ? (v - low) / (high - low) : 1.0F;
+            color[static_cast<int>(c)] = shown;
+        }
+        if (row.png == tables::PngCode::id_color) color = id_color(values[i * channels]);
+        for (std::size_t c = 0; c < 3; ++c) {
+            float shown = std::clamp(color[static_cast<int>(c)], 0.0F, 1.0F);
+            if (row.space != tables::Space::none) shown = math::srgb_from_linear(shown);
+            codes[i * 3 + c] = static_cast<std::uint8_t>(std::lround(shown * 255.0F));
+        }
+    }
+    return out;
+}
+
+base::Status write_side_files(const fs::path& output, const std::vector<image::Layer>& layers) {
+    for (const image::Layer& layer : layers) {
+        if (layer.name.empty()) continue;
+        fs::path side = output;
+        side.replace_extension("." + layer.name + ".png");
+        const auto bytes = image::encode(viewable(layer), {.format = ImageFormat::png, .fast = true});
+        if (!bytes) return tl::unexpected(bytes.error());
+        if (auto written = base::write_file_atomically(side, *bytes); !written) return written;
+    }
+    return {};
+}
+
+base::Result<base::Bytes> encode(const Rendered& rendered, const image::WriteOptions& options) {
+    const tables::ImageFormatRow& row = tables::row(options.format);
+    if (row.layers) return image::encode_exr(rendered.layers, options);
+    if (row.scene_linear) return image::encode(rendered.layers.front().image, options);
+    return image::encode(rendered.display, options);
+}
+
+}  // namespace
+
+base::Result<Rendered> render_to_file(const Request& request, const fs::path& output, base::Log& log) {
+    const auto format = format_by_ending(output);
+    if (!format) return tl::unexpected(format.error());
+    const tables::ImageFormatRow& row = tables::row(*format);
+    const auto depth = depth_for(row, request.settings.depth);
+    if (!depth) return tl::unexpected(depth.error());
+    if (auto writable = base::check_writable(output); !writable) return tl::unexpected(writable.error());
+    Request wanted = request;
+    wanted.want_linear = row.scene_linear;
+    auto rendered = render(wanted, log);
+    if (!rendered) return rendered;
+    const auto start = std::chrono::steady_clock::now();
+    const image::WriteOptions options{
+        .format = *format,
+        .depth = *depth,
+        .metadata = {{"Software", "Facet"}, {"facet.exposure", fmt::format("{}", rendered->exposure)}},
+        .fast = request.settings.quality == "draft"};
+    const auto bytes = encode(*rendered, options);
+    if (!bytes) return tl::unexpected(base::in_file(bytes.error(), output.string()));
+    if (!row.layers)
+        if (auto sides = write_side_files(output, rendered->layers); !sides) return tl::unexpected(sides.error());
+    if (auto written = base::write_file_atomically(output, *bytes); !written)
+        return tl::unexpected(written.error());
+    rendered->ms.write =
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    return rendered;
+}
+
+}  // namespace facet::render

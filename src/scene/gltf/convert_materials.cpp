@@ -1,0 +1,201 @@
+// Materials: factors, textures, and the extensions that this renderer knows.
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+
+#include <spdlog/fmt/fmt.h>
+
+#include "scene/gltf/import.h"
+#include "scene/gltf/specular_glossiness.h"
+
+namespace facet::scene::gltf {
+namespace {
+
+using tables::TextureSlot;
+
+/// `value` within the range that the table gives `key`; a warning where it was not.
+float in_range(Import& import, const std::string& where, std::string_view key, double value) {
+    for (const tables::MaterialParam& param : tables::material_params) {
+        if (param.key != key) continue;
+        const double held = std::clamp(std::isfinite(value) ? value : param.range.low, param.range.low, param.range.high);
+        if (held != value)
+            import.warn(where + std::string(param.gltf), "out of range, clamped",
+                        fmt::format("{}, range {} to {}", value, param.range.low, param.range.high));
+        return static_cast<float>(held);
+    }
+    return static_cast<float>(value);
+}
+
+math::Vec3 color_in_range(Import& import, const std::string& where, std::string_view key,
+                          const std::vector<double>& values) {
+    math::Vec3 out(0.0F);
+    for (int i = 0; i < 3; ++i) out[i] = in_range(import, where, key, values[static_cast<std::size_t>(i)]);
+    return out;
+}
+
+Wrap wrap_of(int mode) {
+    if (mode == TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE) return Wrap::clamp;
+    if (mode == TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT) return Wrap::mirror;
+    return Wrap::repeat;
+}
+
+/// The image a texture shows: WebP where offered, else the plain source. Nothing where neither can be used.
+std::optional<std::uint32_t> image_of(Import& import, std::size_t texture_index) {
+    const Json& json = *element_at(import.asset.json, "textures", texture_index);
+    const std::size_t image_count = count_at(import.asset.json, "images");
+    const Json* const webp = find_path(json, "extensions/EXT_texture_webp");
+    auto source = webp != nullptr ? index_at(*webp, "source") : std::nullopt;
+    if (!source) source = index_at(json, "source");
+    if (source && *source < image_count) return source;
+    const bool is_basis = find_path(json, "extensions/KHR_texture_basisu") != nullptr;
+    import.warn(pointer_text("textures", texture_index),
+                is_basis ? "texture is white: KTX2 with Basis Universal is not supported"
+                         : "texture is white: it has no source");
+    return std::nullopt;
+}
+
+/// KHR_texture_transform: uv' = T R S uv. The rotation is counter-clockwise as the image is seen, and v points
+/// down, hence the sign of the sines.
+void apply_transform(const Json& transform, Texture& texture) {
+    const auto pair = [&](const char* key, math::Vec2 otherwise) {
+        const Json* const values = find(transform, key);
+        if (values == nullptr || !values->is_array() || values->size() != 2) return otherwise;
+        if (!(*values)[0].is_number() || !(*values)[1].is_number()) return otherwise;
+        return math::Vec2((*values)[0].get<float>(), (*values)[1].get<float>());
+    };
+    const math::Vec2 offset = pair("offset", math::Vec2(0.0F));
+    const math::Vec2 scale = pair("scale", math::Vec2(1.0F));
+    const auto angle = static_cast<float>(number_at(transform, "rotation").value_or(0.0));
+    const float c = std::cos(angle);
+    const float s = std::sin(angle);
+    texture.uv_from_uv = Mat3(Vec3(c * scale.x, -s * scale.x, 0.0F),  // columns
+                              Vec3(s * scale.y, c * scale.y, 0.0F), Vec3(offset.x, offset.y, 1.0F));
+    if (const auto set = index_at(transform, "texCoord")) texture.uv_set = *set;
+}
+
+/// The textureInfo `json` at `where`, if it can be used.
+std::optional<Texture> convert_texture(Import& import, const Json& json, const std::string& where) {
+    const auto index = index_at(json, "index");
+    if (!index || *index >= import.model.textures.size()) return std::nullopt;
+    const auto image = image_of(import, *index);
+    if (!image) return std::nullopt;
+    Texture texture{.image = use_image(import, *image)};
+    texture.uv_set = index_at(json, "texCoord").value_or(0);
+    if (const Json* const transform = find_path(json, "extensions/KHR_texture_transform"))
+        apply_transform(*transform, texture);
+    if (texture.uv_set > 1) {
+        import.warn(where, "texture is ignored: only two sets of coordinates are supported",
+                    fmt::format("TEXCOORD_{}", texture.uv_set));
+        return std::nullopt;
+    }
+    const int sampler_index = import.model.textures[*index].sampler;
+    if (sampler_index >= 0 && static_cast<std::size_t>(sampler_index) < import.model.samplers.size()) {
+        const tinygltf::Sampler& sampler = import.model.samplers[static_cast<std::size_t>(sampler_index)];
+        texture.wrap_u = wrap_of(sampler.wrapS);
+        texture.wrap_v = wrap_of(sampler.wrapT);
+        texture.nearest = sampler.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST;
+    }
+    return texture;
+}
+
+void convert_textures(Import& import, const Json& json, const std::string& where, Material& material) {
+    for (std::size_t slot = 0; slot < tables::material_textures.size(); ++slot) {
+        const std::string_view path = tables::material_textures[slot].gltf;
+        const Json* const texture_info = find_path(json, path.substr(1));
+        if (texture_info != nullptr)
+            material.textures[slot] = convert_texture(import, *texture_info, where + std::string(path));
+    }
+}
+
+void convert_alpha(Import& import, const tinygltf::Material& from, const std::string& where, Material& to) {
+    to.double_sided = from.doubleSided;
+    if (from.alphaMode == "MASK") to.alpha_mode = AlphaMode::mask;
+    if (from.alphaMode == "BLEND") to.alpha_mode = AlphaMode::blend;
+    to.values.alpha_cutoff = in_range(import, where, "alpha_cutoff", from.alphaCutoff);
+}
+
+void convert_factors(Import& import, const tinygltf::Material& from, const std::string& where, Material& to) {
+    const tinygltf::PbrMetallicRoughness& pbr = from.pbrMetallicRoughness;
+    tables::MaterialValues& values = to.values;
+    values.base_color = color_in_range(import, where, "base_color", pbr.baseColorFactor);
+    values.opacity = in_range(import, where, "opacity", pbr.baseColorFactor[3]);
+    values.metallic = in_range(import, where, "metallic", pbr.metallicFactor);
+    values.roughness = in_range(import, where, "roughness", pbr.roughnessFactor);
+    values.normal_scale = in_range(import, where, "normal_scale", from.normalTexture.scale);
+    values.ao_strength = in_range(import, where, "ao_strength", from.occlusionTexture.strength);
+    values.emissive = color_in_range(import, where, "emissive", from.emissiveFactor);
+}
+
+void convert_extensions(Import& import, const Json& extensions, const std::string& where, Material& to) {
+    if (const Json* const strength = find(extensions, "KHR_materials_emissive_strength"))
+        to.values.emissive_strength = in_range(import, where, "emissive_strength",
+                                               number_at(*strength, "emissiveStrength").value_or(1.0));
+    to.unlit = find(extensions, "KHR_materials_unlit") != nullptr;
+    const Json* const glossiness = find(extensions, "KHR_materials_pbrSpecularGlossiness");
+    if (glossiness == nullptr) return;
+    import.warn(where + "/extensions/KHR_materials_pbrSpecularGlossiness",
+                "specular-glossiness is converted to metallic-roughness, which is not exact");
+    apply_specular_glossiness(*glossiness, to.values);
+    const std::string at = where + "/extensions/KHR_materials_pbrSpecularGlossiness";
+    auto& base = to.textures[static_cast<std::size_t>(TextureSlot::base_color_texture)];
+    auto& rough = to.textures[static_cast<std::size_t>(TextureSlot::metallic_roughness_texture)];
+    base = std::nullopt;
+    rough = std::nullopt;
+    if (const Json* const diffuse = find(*glossiness, "diffuseTexture"))
+        base = convert_texture(import, *diffuse, at + "/diffuseTexture");
+    if (find(*glossiness, "specularGlossinessTexture") != nullptr)
+        import.warn(at + "/specularGlossinessTexture", "texture is ignored: only its factors are converted");
+}
+
+Material convert_material(Import& import, std::size_t index) {
+    const tinygltf::Material& from = import.model.materials[index];
+    const Json& json = *element_at(import.asset.json, "materials", index);
+    const std::string where = pointer_text("materials", index);
+    Material to;
+    to.name = from.name.empty() ? fmt::format("material {}", index) : from.name;
+    convert_factors(import, from, where, to);
+    convert_alpha(import, from, where, to);
+    convert_textures(import, json, where, to);
+    if (const Json* const extensions = find(json, "extensions"))
+        convert_extensions(import, *extensions, where, to);
+    return to;
+}
+
+bool has_coordinates(const Mesh& mesh, const Texture& texture) {
+    return !(texture.uv_set == 0 ? mesh.uv0 : mesh.uv1).empty();
+}
+
+}  // namespace
+
+void convert_materials(Import& import) {
+    for (std::size_t i = 0; i < import.model.materials.size(); ++i)
+        import.scene.materials.push_back(convert_material(import, i));
+}
+
+MaterialId default_material(Import& import) {
+    if (!import.default_material) {
+        import.default_material = MaterialId{static_cast<std::uint32_t>(import.scene.materials.size())};
+        import.scene.materials.push_back({.name = "default"});
+    }
+    return *import.default_material;
+}
+
+MaterialId material_for(Import& import, MaterialId id, const Mesh& mesh, const std::string& where) {
+    std::string missing;  // one character a slot
+    for (const auto& texture : import.scene.materials[id.index].textures)
+        missing += texture && !has_coordinates(mesh, *texture) ? '-' : '+';
+    if (missing.find('-') == std::string::npos) return id;
+    if (import.reduced_materials.size() <= id.index) import.reduced_materials.resize(id.index + 1);
+    const MaterialId next{static_cast<std::uint32_t>(import.scene.materials.size())};
+    const auto [slot, is_new] = import.reduced_materials[id.index].emplace(missing, next);
+    import.warn(where, "textures are ignored: the mesh lacks their coordinates",
+                import.scene.materials[id.index].name);
+    if (!is_new) return slot->second;
+    Material reduced = import.scene.materials[id.index];
+    for (std::size_t i = 0; i < missing.size(); ++i)
+        if (missing[i] == '-') reduced.textures[i] = std::nullopt;
+    import.scene.materials.push_back(std::move(reduced));
+    return next;
+}
+
+}  // namespace facet::scene::gltf
