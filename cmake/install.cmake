@@ -26,4 +26,20 @@ if(TARGET facet)
   endforeach()
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/glsl ${PROJECT_SOURCE_DIR}/resources
           DESTINATION ${CMAKE_INSTALL_DATADIR}/facet)
+
+  # The program itself knows its commands and options, and writes what others read about them.
+  set(pages ${PROJECT_BINARY_DIR}/pages)
+  file(MAKE_DIRECTORY ${pages})
+  file(WRITE ${pages}/facet.thumbnailer "[Thumbnailer Entry]
+TryExec=facet
+Exec=sh -c 'facet render \"$0\" -q --quality draft --size \"$2x$2\" --background none -o - >\"$1\"' %i %o %s
+MimeType=model/gltf-binary;model/gltf+json;
+")
+  install(CODE "execute_process(COMMAND \"${PROJECT_BINARY_DIR}/facet\" help man-page
+    OUTPUT_FILE \"${pages}/facet.1\" COMMAND_ERROR_IS_FATAL ANY)
+  execute_process(COMMAND \"${PROJECT_BINARY_DIR}/facet\" help bash-completion
+    OUTPUT_FILE \"${pages}/facet\" COMMAND_ERROR_IS_FATAL ANY)")
+  install(FILES ${pages}/facet.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+  install(FILES ${pages}/facet DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+  install(FILES ${pages}/facet.thumbnailer DESTINATION ${CMAKE_INSTALL_DATADIR}/thumbnailers)
 endif()

@@ -1,18 +1,18 @@
 // facet-bench: prints how long a frame takes, one JSON line a measurement.
 // SPDX-License-Identifier: MIT
-#include <cstdio>
-#include <string>
-#include <vector>
-
-#include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
-
 #include "base/file.h"
 #include "base/log.h"
 #include "base/resources.h"
 #include "base/text.h"
 #include "gl/context.h"
 #include "render/bench.h"
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+#include <string>
+#include <vector>
 
 namespace {
 
@@ -39,8 +39,11 @@ struct Options {
 };
 
 tl::unexpected<Error> usage(const char* option, const std::string& found, const char* remedy) {
-    return facet::base::fail(
-        {.code = ErrorCode::usage, .file = option, .what = "not understood", .found = found, .remedy = remedy});
+    return facet::base::fail({.code = ErrorCode::usage,
+                              .file = option,
+                              .what = "not understood",
+                              .found = found,
+                              .remedy = remedy});
 }
 
 Result<BenchRequest> request_of(const Options& options) {
@@ -52,13 +55,18 @@ Result<BenchRequest> request_of(const Options& options) {
     const auto sides = facet::base::split(options.size, 'x');
     const auto width = facet::base::parse_integer(sides.front());
     const auto height = facet::base::parse_integer(sides.back());
-    if (sides.size() != 2 || !width || !height || *width < 1 || *height < 1 || *width > 16384 || *height > 16384)
+    if (sides.size() != 2 || !width || !height || *width < 1 || *height < 1 || *width > 16384 ||
+        *height > 16384)
         return usage("--size", options.size, "WxH");
-    request.settings.size = {static_cast<std::uint32_t>(*width), static_cast<std::uint32_t>(*height)};
+    request.settings.size = {static_cast<std::uint32_t>(*width),
+                             static_cast<std::uint32_t>(*height)};
     for (const std::string_view name : facet::base::split(options.kinds, ',')) {
         std::size_t kind = 0;
-        while (kind < facet::tables::light_kinds.size() && facet::tables::light_kinds[kind].key != name) ++kind;
-        if (kind == facet::tables::light_kinds.size()) return usage("--light-kinds", options.kinds, "point, spot");
+        while (kind < facet::tables::light_kinds.size() &&
+               facet::tables::light_kinds[kind].key != name)
+            ++kind;
+        if (kind == facet::tables::light_kinds.size())
+            return usage("--light-kinds", options.kinds, "point, spot");
         request.kinds.push_back(static_cast<facet::tables::LightKind>(kind));
     }
     request.settings.env = options.env;
@@ -73,17 +81,19 @@ Status measure(const Options& options, facet::base::Log& log) {
     if (!request) return tl::unexpected(request.error());
     const auto r = facet::render::bench(*request, log);
     if (!r) return tl::unexpected(r.error());
-    nlohmann::ordered_json line = {{"facet", 1},
-                                   {"scene", options.scene},
-                                   {"width", r->size.width},
-                                   {"height", r->size.height},
-                                   {"lights", options.lights},
-                                   {"backend", r->backend},
-                                   {"threads", r->threads},
-                                   {"frames", options.frames},
-                                   {"ms", {{"median", r->median_ms}, {"p5", r->p5_ms}, {"p95", r->p95_ms}}}};
+    nlohmann::ordered_json line = {
+        {"facet", 1},
+        {"scene", options.scene},
+        {"width", r->size.width},
+        {"height", r->size.height},
+        {"lights", options.lights},
+        {"backend", r->backend},
+        {"threads", r->threads},
+        {"frames", options.frames},
+        {"ms", {{"median", r->median_ms}, {"p5", r->p5_ms}, {"p95", r->p95_ms}}}};
     if (options.passes)
-        line["passes"] = {{"gbuffer", r->gbuffer_ms}, {"lighting", r->lighting_ms}, {"post", r->post_ms}};
+        line["passes"] = {
+            {"gbuffer", r->gbuffer_ms}, {"lighting", r->lighting_ms}, {"post", r->post_ms}};
     if (options.lights > 0) line["lights_per_point"] = r->reach;
     line["first_frame_ms"] = r->first_frame_ms;
     line["peak_rss_mb"] = r->peak_rss_mb;
@@ -97,11 +107,12 @@ Status measure_suite(Options options, facet::base::Log& log) {
     const auto file = *folder / "tests/bench/suite.json";
     const auto text = facet::base::read_file(file, max_suite_bytes);
     if (!text) return tl::unexpected(text.error());
-    const auto suite = nlohmann::json::parse(reinterpret_cast<const char*>(text->data()),
-                                             reinterpret_cast<const char*>(text->data()) + text->size(),
-                                             nullptr, false);
+    const auto suite = nlohmann::json::parse(
+        reinterpret_cast<const char*>(text->data()),
+        reinterpret_cast<const char*>(text->data()) + text->size(), nullptr, false);
     if (!suite.is_array())
-        return facet::base::fail({.code = ErrorCode::input_invalid, .file = file.string(), .what = "not a list"});
+        return facet::base::fail(
+            {.code = ErrorCode::input_invalid, .file = file.string(), .what = "not a list"});
     for (const auto& entry : suite) {
         options.scene = entry.value("scene", "builtin:showcase");
         options.size = entry.value("size", "1280x720");
@@ -115,7 +126,8 @@ Status measure_suite(Options options, facet::base::Log& log) {
 
 int main(int argc, char** argv) {
     Options options;
-    CLI::App app("facet-bench: frame times as JSON lines.\nExample: facet-bench --lights 256 --frames 60");
+    CLI::App app(
+        "facet-bench: frame times as JSON lines.\nExample: facet-bench --lights 256 --frames 60");
     app.add_option("--scene", options.scene, "scene file or builtin:NAME")->capture_default_str();
     app.add_option("--size", options.size, "WxH")->capture_default_str();
     app.add_option("--lights", options.lights, "local lights")->check(CLI::Range(0, 1000));

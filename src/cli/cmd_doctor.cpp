@@ -3,7 +3,7 @@
 #include "base/resources.h"
 #include "base/text.h"
 #include "cli/flags.h"
-#include "gl/probe.h"
+#include "gl/context.h"
 
 #include <link.h>
 #include <nlohmann/json.hpp>
@@ -91,20 +91,22 @@ Json module_object() {
 }
 
 Json examine() {
+    const std::vector<std::string> variables = driver_variables();  // before we set one ourselves
+    gl::prepare_environment(0);
     Json out{{"facet", 1}, {"version", FACET_VERSION}};
     out["backends"] = backend_objects(gl::probe_backends());
     out["threads"] = std::max(1U, std::thread::hardware_concurrency());
-    out["memory_mib"] = static_cast<std::uint64_t>(::sysconf(_SC_PHYS_PAGES)) *
-                            static_cast<std::uint64_t>(::sysconf(_SC_PAGE_SIZE)) >>
-                        20;
+    const auto pages = static_cast<std::uint64_t>(::sysconf(_SC_PHYS_PAGES));
+    out["memory_mib"] = pages * static_cast<std::uint64_t>(::sysconf(_SC_PAGE_SIZE)) >> 20;
     out["limits"] = {{"open_files", limit_of(RLIMIT_NOFILE)},
                      {"address_space", limit_of(RLIMIT_AS)},
                      {"file_size", limit_of(RLIMIT_FSIZE)}};
     const auto data = base::data_folder();
     out["data"] = data ? Json(data->string()) : Json(nullptr);
     out["oiio_module"] = module_object();
+    out["shader_cache"] = gl::shader_cache_folder();
     out["libraries"] = loaded_libraries();
-    out["environment"] = driver_variables();
+    out["environment"] = variables;
     return out;
 }
 
@@ -139,6 +141,9 @@ void print_text(const Json& report, Io& io) {
                          report["oiio_module"].is_null()
                              ? "libfacet_oiio.so is not beside the program; build or install it"
                              : text_of(report["oiio_module"])));
+    io.print(fmt::format("{:<14} {}", "shader cache",
+                         report["shader_cache"] == "" ? "none: HOME and XDG_CACHE_HOME are not set"
+                                                      : text_of(report["shader_cache"])));
     for (const char* list : {"libraries", "environment"})
         for (const auto& entry : report[list])
             io.print(fmt::format("{:<14} {}", list, text_of(entry)));

@@ -3,6 +3,7 @@
 #include "cli/dispatch.h"
 #include "cli/flags.h"
 #include "cli/help.h"
+#include "cli/pages.h"
 
 #include <memory>
 
@@ -16,8 +17,11 @@ base::Result<Exit> run_help(const std::string& topic, Io& io) {
             "those.");
         return Exit::done;
     }
+    const std::vector<NamedCommand> commands = declare_commands();
     std::string text;
-    for (const NamedCommand& command : declare_commands())
+    if (topic == "man-page") text = man_page(commands);  // these two are for cmake/install.cmake
+    if (topic == "bash-completion") text = bash_completion(commands);
+    for (const NamedCommand& command : commands)
         if (command.name == topic) text = command_help(command);
     if (text.empty()) {
         auto page = topic_help(topic);

@@ -23,10 +23,10 @@ struct InfoOptions {
 };
 
 /// A float as its own shortest decimals; as a double it would trail digits that nobody set.
-Json number(float value) {
-    return base::parse_number(fmt::format("{}", value)).value_or(0.0);
+Json number(float value) { return base::parse_number(fmt::format("{}", value)).value_or(0.0); }
+Json vector_object(const math::Vec3& v) {
+    return Json::array({number(v.x), number(v.y), number(v.z)});
 }
-Json vector_object(const math::Vec3& v) { return Json::array({number(v.x), number(v.y), number(v.z)}); }
 
 std::string_view name_of(scene::AlphaMode mode) {
     constexpr std::string_view names[] = {"opaque", "mask", "blend"};
@@ -108,10 +108,12 @@ Json describe(const std::string& path, const scene::Scene& scene) {
 }
 
 /// One object as a line a person reads: its name, then `key value` for the rest.
-std::string line_of(const Json& object, std::size_t index) {
+/// What is as in `usual` is left out, so that what matters is seen.
+std::string line_of(const Json& object, std::size_t index, const Json& usual) {
     std::string out = fmt::format("  [{}] {}", index, base::escaped(object.value("name", ""), 60));
     for (const auto& [key, value] : object.items()) {
         if (key == "name" || (value.is_boolean() && !value.get<bool>())) continue;
+        if (usual.contains(key) && usual[key] == value) continue;
         const std::string text =
             value.is_string() ? base::escaped(value.get<std::string>(), 60) : value.dump();
         if (!text.empty())
@@ -122,9 +124,11 @@ std::string line_of(const Json& object, std::size_t index) {
 }
 
 void print_lists(const Json& info, Io& io) {
+    const Json usual = material_object({}, {});
     for (const char* list : {"materials", "textures", "cameras", "lights"}) {
         io.print(fmt::format("{:<11} {}", list, info[list].size()));
-        for (std::size_t i = 0; i < info[list].size(); ++i) io.print(line_of(info[list][i], i));
+        for (std::size_t i = 0; i < info[list].size(); ++i)
+            io.print(line_of(info[list][i], i, usual));
     }
     for (const char* list : {"clips", "variants", "extensions"}) {
         std::vector<std::string> names;

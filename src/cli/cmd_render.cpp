@@ -4,6 +4,7 @@
 #include "cli/flags.h"
 #include "cli/output_gate.h"
 #include "cli/setting_flags.h"
+#include "gl/context.h"
 #include "image/write.h"
 #include "render/render.h"
 
@@ -90,8 +91,8 @@ nlohmann::ordered_json result_object(const std::string& output, const render::Re
     for (const base::Warning& warning : r.warnings) warnings.push_back(warning_object(warning));
     return {{"facet", 1},
             {"output", output},
-            {"width", r.display.size.width},
-            {"height", r.display.size.height},
+            {"width", r.size.width},
+            {"height", r.size.height},
             {"exposure", r.exposure},
             {"ms",
              {{"load", r.ms.load},
@@ -122,6 +123,7 @@ Result<Exit> run_render(const RenderOptions& options, Io& io) {
     if (auto checked = check(options, *settings, io); !checked)
         return tl::unexpected(checked.error());
     render::Request request{.scene = options.scene, .settings = *settings};
+    gl::prepare_environment(settings->threads);
     base::Log log = io.log();
     const bool to_stdout = options.output == "-";
     const auto rendered = to_stdout ? render_to_stdout(request, log, io)
@@ -137,8 +139,7 @@ Result<Exit> run_render(const RenderOptions& options, Io& io) {
         io.print_object(result_object(options.output, *rendered));
     else
         io.print(fmt::format("{}  {}x{}  {:.2f} s", base::escaped(options.output, 4096),
-                             rendered->display.size.width, rendered->display.size.height,
-                             took.count()));
+                             rendered->size.width, rendered->size.height, took.count()));
     return Exit::done;
 }
 

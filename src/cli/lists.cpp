@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "cli/lists.h"
 
-#include "base/resources.h"
 #include "base/text.h"
 #include "base/thread_pool.h"
 #include "cli/scene_options.h"
@@ -17,14 +16,11 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <system_error>
 #include <vector>
 
 namespace facet::cli {
 namespace {
 
-namespace fs = std::filesystem;
 using base::Result;
 
 struct Entry {
@@ -41,14 +37,9 @@ std::vector<Entry> entries_of(const Rows& rows) {
 }
 
 Entries list_scenes(const std::string&) {
-    const auto data = base::data_folder();
-    if (!data) return tl::unexpected(data.error());
     std::vector<Entry> entries;
-    std::error_code error;
-    for (const auto& file : fs::directory_iterator(*data / "resources/scenes", error))
-        if (file.path().extension() == ".gltf" || file.path().extension() == ".glb")
-            entries.push_back({"builtin:" + file.path().stem().string(), ""});
-    std::ranges::sort(entries, {}, &Entry::name);
+    for (const std::string& name : scene::builtin_scene_names())
+        entries.push_back({"builtin:" + name, ""});
     return entries;
 }
 Entries list_environments(const std::string&) { return entries_of(tables::environments); }

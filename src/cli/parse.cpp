@@ -1,4 +1,4 @@
-// The command line, through CLI11; the only file that names it.
+// The command line, through CLI11; the only file of `facet` that names it.
 // SPDX-License-Identifier: MIT
 #include "cli/parse.h"
 

@@ -47,7 +47,6 @@ private:
 
     base::Status expand(std::string_view text, const std::string& path, std::size_t index,
                         std::size_t depth) {
-        out.text += fmt::format("#line 1 {}\n", index);
         std::size_t line_number = 0;
         for (const std::string_view line : base::split(text, '\n')) {
             ++line_number;
@@ -55,6 +54,7 @@ private:
             if (!code.starts_with("#include")) {
                 out.text += line;
                 out.text += '\n';
+                out.origins.push_back({index, line_number});
                 continue;
             }
             const std::size_t begin = code.find('"');
@@ -62,7 +62,6 @@ private:
             const std::string included(end > begin ? code.substr(begin + 1, end - begin - 1) : "");
             const std::string from = fmt::format("glsl/{}:{}", path, line_number);
             if (auto added = add(included, from, depth + 1); !added) return added;
-            out.text += fmt::format("#line {} {}\n", line_number + 1, index);
         }
         return {};
     }
@@ -70,19 +69,17 @@ private:
     const ShaderSources& sources_;
 };
 
-/// Mesa: `FILE:LINE(COLUMN): error: …`; NVIDIA: `FILE(LINE) : error …`. Others are shown as they are.
+/// Mesa: `0:LINE(COLUMN): error: …`; NVIDIA: `0(LINE) : error …`. Others are shown as they are.
 std::string at_own_place(std::string_view log, const ShaderText& text) {
     const std::string_view first = base::trimmed(log.substr(0, log.find('\n')));
-    std::size_t file = 0;
-    std::size_t line = 0;
+    if (first.size() < 3 || first[0] != '0' || (first[1] != ':' && first[1] != '(')) return std::string(first);
     const char* const end = first.data() + first.size();
-    const auto after_file = std::from_chars(first.data(), end, file);
-    if (after_file.ec != std::errc() || after_file.ptr == end || file >= text.files.size())
-        return std::string(first);
-    const auto after_line = std::from_chars(after_file.ptr + 1, end, line);
-    if (after_line.ec != std::errc()) return std::string(first);
-    return fmt::format("glsl/{}:{}: {}", text.files[file], line,
-                       std::string_view(after_line.ptr, static_cast<std::size_t>(end - after_line.ptr)));
+    std::size_t line = 0;
+    const auto after = std::from_chars(first.data() + 2, end, line);
+    if (after.ec != std::errc() || line == 0 || line > text.origins.size()) return std::string(first);
+    const SourceLine& origin = text.origins[line - 1];
+    return fmt::format("glsl/{}:{}: {}", text.files[origin.file], origin.line,
+                       std::string_view(after.ptr, static_cast<std::size_t>(end - after.ptr)));
 }
 
 base::Result<Shader> compile(const Context& gl, GLenum stage, const ShaderText& text) {
@@ -110,6 +107,8 @@ base::Result<ShaderText> assemble(const ShaderSources& sources, const std::strin
                                   std::string_view defines) {
     Assembler assembler(sources);
     assembler.out.text = fmt::format("#version 430 core\n{}", defines);
+    const auto head = std::count(assembler.out.text.begin(), assembler.out.text.end(), '\n');
+    assembler.out.origins.assign(static_cast<std::size_t>(head), {0, 1});
     if (auto added = assembler.add(path, "the program", 0); !added) return tl::unexpected(added.error());
     return std::move(assembler.out);
 }

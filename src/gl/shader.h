@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -14,11 +15,17 @@
 
 namespace facet::gl {
 
-/// Assembled GLSL: `#include "path"` (from the glsl folder) is replaced by the file, once a path; each text's
-/// lines carry #line markers whose source number is an index into `files`.
+/// A line of a file, counted from 1.
+struct SourceLine {
+    std::size_t file = 0;  ///< index into ShaderText::files
+    std::size_t line = 0;
+};
+/// Assembled GLSL: `#include "path"` (from the glsl folder) is replaced by the file, once a path. `origins` says
+/// for each line where it came from; drivers do not agree on what #line does with a file's number.
 struct ShaderText {
     std::string text;
     std::vector<std::string> files;
+    std::vector<SourceLine> origins;
 };
 
 /// Where GLSL comes from: the glsl folder, and texts made by the program under names of their own.

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "image/checks.h"
 
-#include <utility>
-
 #include <spdlog/fmt/fmt.h>
+
+#include <utility>
 
 namespace facet::image {
 
@@ -32,12 +32,12 @@ base::Status check_size(const StatedSize& size, std::uint64_t bytes_per_pixel,
                            .found = found,
                            .remedy = "scale the picture down"});
     if (bytes_per_pixel != 0 && pixels > limits.memory_bytes / bytes_per_pixel)
-        return base::fail({.code = base::ErrorCode::limit_reached,
-                           .where = "header",
-                           .what = fmt::format("decoding needs more than {} MiB",
-                                               limits.memory_bytes >> 20),
-                           .found = fmt::format("{}, {} bytes a pixel", found, bytes_per_pixel),
-                           .remedy = "raise --max-memory, or scale the picture down"});
+        return base::fail(
+            {.code = base::ErrorCode::limit_reached,
+             .where = "header",
+             .what = fmt::format("decoding needs more than {} MiB", limits.memory_bytes >> 20),
+             .found = fmt::format("{}, {} bytes a pixel", found, bytes_per_pixel),
+             .remedy = "raise --max-memory, or scale the picture down"});
     return {};
 }
 
@@ -62,10 +62,18 @@ Picture one_layer(tables::ImageFormat format, Image image) {
     picture.format = format;
     Layer layer;
     switch (image.channels) {
-        case 1: layer.channels = {"Y"}; break;
-        case 2: layer.channels = {"Y", "A"}; break;
-        case 3: layer.channels = {"R", "G", "B"}; break;
-        default: layer.channels = {"R", "G", "B", "A"}; break;
+        case 1:
+            layer.channels = {"Y"};
+            break;
+        case 2:
+            layer.channels = {"Y", "A"};
+            break;
+        case 3:
+            layer.channels = {"R", "G", "B"};
+            break;
+        default:
+            layer.channels = {"R", "G", "B", "A"};
+            break;
     }
     layer.image = std::move(image);
     picture.layers.push_back(std::move(layer));

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdint>
-#include <string>
-#include <string_view>
-
 #include "base/limits.h"
 #include "base/result.h"
 #include "image/image.h"
 #include "image/read.h"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
 
 namespace facet::image {
 
@@ -37,7 +37,8 @@ struct StatedSize {
 
 /// Where an ICC profile calls itself sRGB: its description holds the word, in ASCII or UTF-16.
 [[nodiscard]] bool names_srgb(std::string_view icc_profile);
-/// The warning for a picture whose colours are in another space than sRGB and are used as they stand.
+/// The warning for a picture whose colours are in another space than sRGB and are used as they
+/// stand.
 [[nodiscard]] base::Warning foreign_color_space(std::string found);
 
 }  // namespace facet::image

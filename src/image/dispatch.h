@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <span>
-
 #include "base/file.h"
 #include "base/limits.h"
 #include "base/result.h"
 #include "image/read.h"
 #include "image/write.h"
 #include "tables/image_formats.h"
+
+#include <array>
+#include <cstddef>
+#include <span>
 
 namespace facet::image {
 

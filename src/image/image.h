@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "math/vector.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
-
-#include "math/vector.h"
 
 namespace facet::image {
 
@@ -17,8 +17,9 @@ enum class Sample : std::uint8_t { u8, u16, f32 };
     return sample == Sample::u8 ? 1 : sample == Sample::u16 ? 2 : 4;
 }
 
-/// Pixels [height, width, channels], rows from the top, interleaved, no padding; u16 in native byte order.
-/// What the numbers mean (sRGB or linear, straight or associated alpha) is the owner's to know.
+/// Pixels [height, width, channels], rows from the top, interleaved, no padding; u16 in native byte
+/// order. What the numbers mean (sRGB or linear, straight or associated alpha) is the owner's to
+/// know.
 struct Image {
     math::Extent size;
     std::uint32_t channels = 0;
@@ -28,7 +29,9 @@ struct Image {
     Image() = default;
     /// Zero pixels.
     Image(math::Extent size_, std::uint32_t channels_, Sample sample_)
-        : size(size_), channels(channels_), sample(sample_),
+        : size(size_),
+          channels(channels_),
+          sample(sample_),
           bytes(static_cast<std::size_t>(size_.pixels()) * channels_ * sample_bytes(sample_)) {}
 
     [[nodiscard]] std::size_t sample_count() const noexcept {

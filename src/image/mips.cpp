@@ -2,23 +2,23 @@
 // SPDX-License-Identifier: MIT
 #include "image/mips.h"
 
+#include "base/assert.h"
+#include "image/checks.h"
+#include "math/color.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
 #include <utility>
 
-#include "base/assert.h"
-#include "image/checks.h"
-#include "math/color.h"
-
 namespace facet::image {
 namespace {
 
 using Byte = std::uint8_t;
 
-/// 8-bit code -> linear 0..65535, and the sum of four of those, / 16, -> 8-bit code. 14 bits keep five steps
-/// to the narrowest code (the dark end of sRGB), so a constant colour stays what it is.
+/// 8-bit code -> linear 0..65535, and the sum of four of those, / 16, -> 8-bit code. 14 bits keep
+/// five steps to the narrowest code (the dark end of sRGB), so a constant colour stays what it is.
 struct Tables {
     std::array<std::uint16_t, 256> linear{};
     std::array<Byte, 16384> code{};
@@ -33,8 +33,8 @@ Tables make_tables(bool srgb) {
     }
     for (std::size_t i = 0; i < tables.code.size(); ++i) {
         const float linear = (static_cast<float>(i) + 0.5F) / 16384.0F;
-        tables.code[i] =
-            static_cast<Byte>(std::lround((srgb ? math::srgb_from_linear(linear) : linear) * 255.0F));
+        tables.code[i] = static_cast<Byte>(
+            std::lround((srgb ? math::srgb_from_linear(linear) : linear) * 255.0F));
     }
     return tables;
 }
@@ -63,7 +63,8 @@ void halve_row_linear(const Byte* top, const Byte* bottom, Byte* out, std::size_
             out[c] = static_cast<Byte>((top[c] + top[c + 4] + bottom[c] + bottom[c + 4] + 2) >> 2);
 }
 
-/// The source samples beneath one destination sample of a side `from` long, and their shares (sum 1).
+/// The source samples beneath one destination sample of a side `from` long, and their shares (sum
+/// 1).
 struct Taps {
     std::array<std::size_t, 3> at{};
     std::array<float, 3> share{};
@@ -96,9 +97,11 @@ void halve_row_odd(const Image& from, Image& to, std::size_t y, bool srgb) {
             float sum = 0.0F;
             for (std::size_t j = 0; j < 3; ++j)
                 for (std::size_t i = 0; i < 3; ++i)
-                    sum += down.share[j] * across.share[i] *
-                           static_cast<float>(
-                               table.linear[in[(down.at[j] * from.size.width + across.at[i]) * 4 + c]]);
+                    sum +=
+                        down.share[j] * across.share[i] *
+                        static_cast<float>(
+                            table
+                                .linear[in[(down.at[j] * from.size.width + across.at[i]) * 4 + c]]);
             out[x * 4 + c] =
                 table.code[std::min<std::size_t>(static_cast<std::size_t>(sum * 0.25F), 16383)];
         }
@@ -108,7 +111,8 @@ void halve_row_odd(const Image& from, Image& to, std::size_t y, bool srgb) {
 using Loop = std::function<void(std::size_t, const std::function<void(std::size_t)>&)>;
 
 Image halved(const Image& from, bool srgb, const Loop& loop) {
-    Image to({std::max(1U, from.size.width / 2), std::max(1U, from.size.height / 2)}, 4, Sample::u8);
+    Image to({std::max(1U, from.size.width / 2), std::max(1U, from.size.height / 2)}, 4,
+             Sample::u8);
     const bool is_even = from.size.width % 2 == 0 && from.size.height % 2 == 0;
     constexpr std::size_t band_rows = 32;
     const std::size_t rows = to.size.height;

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include "image/png_chunks.h"
 
-#include <algorithm>
-#include <string_view>
-
-#include <libdeflate.h>
-#include <spdlog/fmt/fmt.h>
-
 #include "image/bytes.h"
 #include "image/checks.h"
+#include "image/libdeflate.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <string_view>
 
 namespace facet::image::png {
 namespace {
@@ -37,8 +37,8 @@ base::Result<Chunk> chunk_at(FileBytes file, std::size_t offset) {
     // Only what is used is worth the time.
     if (chunk.type == "IHDR" || chunk.type == "IDAT") {
         const FileBytes covered = file.subspan(offset + 4, std::size_t{length} + 4);
-        chunk.is_intact = libdeflate_crc32(0, covered.data(), covered.size()) ==
-                          big32(file, offset + 8 + length);
+        chunk.is_intact =
+            libdeflate_crc32(0, covered.data(), covered.size()) == big32(file, offset + 8 + length);
     }
     return chunk;
 }
@@ -47,12 +47,16 @@ bool is_allowed(std::uint8_t color_type, std::uint8_t bit_depth) {
     const bool is_byte_or_word = bit_depth == 8 || bit_depth == 16;
     const bool is_below_byte = bit_depth == 1 || bit_depth == 2 || bit_depth == 4;
     switch (color_type) {
-        case 0: return is_byte_or_word || is_below_byte;
-        case 3: return is_below_byte || bit_depth == 8;
+        case 0:
+            return is_byte_or_word || is_below_byte;
+        case 3:
+            return is_below_byte || bit_depth == 8;
         case 2:
         case 4:
-        case 6: return is_byte_or_word;
-        default: return false;
+        case 6:
+            return is_byte_or_word;
+        default:
+            return false;
     }
 }
 
@@ -77,7 +81,8 @@ base::Status read_ihdr(const Chunk& chunk, const base::Limits& limits, Chunks& o
     return {};
 }
 
-/// tEXt is Latin-1, and ours and nearly everybody's is ASCII; iTXt is UTF-8. Compressed text is left out.
+/// tEXt is Latin-1, and ours and nearly everybody's is ASCII; iTXt is UTF-8. Compressed text is
+/// left out.
 void read_text(const Chunk& chunk, Chunks& out) {
     std::string_view body = text_of(chunk.body);
     const std::size_t end = body.find('\0');
@@ -96,14 +101,30 @@ void read_text(const Chunk& chunk, Chunks& out) {
     out.text.emplace_back(key, body);
 }
 
+/// iCCP: a name, a 0, the method 0, and the profile, deflated. One that does not unpack to 1 MiB is
+/// not sRGB's.
+bool is_srgb_profile(FileBytes body) {
+    const std::size_t end = text_of(body).find('\0');
+    if (end == std::string_view::npos || body.size() - end < 2) return false;
+    if (names_srgb(text_of(body.first(end)))) return true;
+    const FileBytes packed = body.subspan(end + 2);
+    std::string profile(std::size_t{1} << 20, '\0');
+    const Decompressor inflater(libdeflate_alloc_decompressor());
+    std::size_t length = 0;
+    if (inflater == nullptr ||
+        libdeflate_zlib_decompress(inflater.get(), packed.data(), packed.size(), profile.data(),
+                                   profile.size(), &length) != LIBDEFLATE_SUCCESS)
+        return false;
+    return names_srgb(std::string_view(profile).substr(0, length));
+}
+
 void read_ancillary(const Chunk& chunk, Chunks& out) {
     const std::string_view type = chunk.type;
     if (type == "tRNS") out.has_transparency = true;
     if (type == "acTL") out.is_animated = true;
     if (type == "sRGB") out.is_srgb = true;
     if (type == "tEXt" || type == "iTXt") read_text(chunk, out);
-    // The profile itself is compressed; its name says enough for a warning.
-    if (type == "iCCP" && !names_srgb(text_of(chunk.body))) out.color_space = "an ICC profile";
+    if (type == "iCCP" && !is_srgb_profile(chunk.body)) out.color_space = "an ICC profile";
     // cICP 1/13/0/1 is sRGB (ITU-T H.273).
     if (type == "cICP" && chunk.body.size() == 4 &&
         (byte_at(chunk.body, 0) != 1 || byte_at(chunk.body, 1) != 13))
@@ -142,18 +163,21 @@ base::Result<Chunks> walk(FileBytes file, Scope scope, Chunks out) {
 std::uint32_t Chunks::channels() const noexcept {
     const std::uint32_t alpha = has_transparency ? 1 : 0;
     switch (color_type) {
-        case ColorType::gray: return 1 + alpha;
-        case ColorType::gray_alpha: return 2;
-        case ColorType::rgba: return 4;
+        case ColorType::gray:
+            return 1 + alpha;
+        case ColorType::gray_alpha:
+            return 2;
+        case ColorType::rgba:
+            return 4;
         case ColorType::rgb:
-        case ColorType::palette: return 3 + alpha;
+        case ColorType::palette:
+            return 3 + alpha;
     }
     return 0;
 }
 
 base::Result<Chunks> find_chunks(FileBytes file, Scope scope, const base::Limits& limits) {
-    if (file.size() < signature_bytes)
-        return damaged(file.size(), "the file is cut short");
+    if (file.size() < signature_bytes) return damaged(file.size(), "the file is cut short");
     const auto first = chunk_at(file, signature_bytes);
     if (!first) return tl::unexpected(first.error());
     Chunks chunks;

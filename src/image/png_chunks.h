@@ -1,16 +1,16 @@
-// The chunks of a PNG file, bounded: header, transparency, text, colour space, and where the pixels lie.
-// SPDX-License-Identifier: MIT
+// The chunks of a PNG file, bounded: header, transparency, text, colour space, and where the pixels
+// lie. SPDX-License-Identifier: MIT
 #pragma once
+
+#include "base/limits.h"
+#include "base/result.h"
+#include "image/dispatch.h"
 
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
-
-#include "base/limits.h"
-#include "base/result.h"
-#include "image/dispatch.h"
 
 namespace facet::image::png {
 
@@ -44,8 +44,8 @@ enum class Scope { header, whole };
 [[nodiscard]] base::Result<Chunks> find_chunks(FileBytes file, Scope scope,
                                                const base::Limits& limits);
 
-/// Pixels of a plain file (8 or 16 bits, no palette, no tRNS, not interlaced), about three times as quick as
-/// libpng. Nothing where the file is not plain or its data are odd: libpng then decides.
+/// Pixels of a plain file (8 or 16 bits, no palette, no tRNS, not interlaced), about three times as
+/// quick as libpng. Nothing where the file is not plain or its data are odd: libpng then decides.
 [[nodiscard]] std::optional<Image> read_plain(const Chunks& chunks);
 
 }  // namespace facet::image::png

@@ -1,26 +1,22 @@
 // The quick way through a plain PNG: one inflate by libdeflate, then the filters undone row by row.
 // SPDX-License-Identifier: MIT
+#include "base/file.h"
+#include "image/bytes.h"
+#include "image/libdeflate.h"
+#include "image/png_chunks.h"
+
 #include <bit>
 #include <cstdlib>
 #include <cstring>
 #include <memory>
-
-#include <libdeflate.h>
-
-#include "base/file.h"
-#include "image/bytes.h"
-#include "image/png_chunks.h"
 
 namespace facet::image::png {
 namespace {
 
 using Byte = std::uint8_t;
 
-struct Decompressor {
-    void operator()(libdeflate_decompressor* d) const noexcept { libdeflate_free_decompressor(d); }
-};
-
-/// Paeth's predictor (W3C 2003, 9.4), without branches so that the channels of a pixel go side by side.
+/// Paeth's predictor (W3C 2003, 9.4), without branches so that the channels of a pixel go side by
+/// side.
 int paeth(int a, int b, int c) {
     const int to_a = std::abs(b - c);
     const int to_b = std::abs(a - c);
@@ -29,7 +25,8 @@ int paeth(int a, int b, int c) {
     return to_a <= to_b && to_a <= to_c ? a : b_or_c;
 }
 
-/// One row; `above` is the row before it, already decoded (zeros for the first). N: bytes per pixel.
+/// One row; `above` is the row before it, already decoded (zeros for the first). N: bytes per
+/// pixel.
 template <std::size_t N>
 void undo_paeth(const Byte* in, const Byte* above, Byte* out, std::size_t bytes) {
     int a[N] = {};
@@ -71,15 +68,24 @@ bool undo_filters(const Byte* in, Byte* out, std::size_t row_bytes, std::size_t 
     for (std::size_t y = 0; y < rows; ++y, in += row_bytes, out += row_bytes) {
         const Byte filter = *in++;
         switch (filter) {
-            case 0: std::memcpy(out, in, row_bytes); break;
-            case 1: undo_sub<N>(in, out, row_bytes); break;
+            case 0:
+                std::memcpy(out, in, row_bytes);
+                break;
+            case 1:
+                undo_sub<N>(in, out, row_bytes);
+                break;
             case 2:
                 for (std::size_t i = 0; i < row_bytes; ++i)
                     out[i] = static_cast<Byte>(in[i] + above[i]);
                 break;
-            case 3: undo_average<N>(in, above, out, row_bytes); break;
-            case 4: undo_paeth<N>(in, above, out, row_bytes); break;
-            default: return false;
+            case 3:
+                undo_average<N>(in, above, out, row_bytes);
+                break;
+            case 4:
+                undo_paeth<N>(in, above, out, row_bytes);
+                break;
+            default:
+                return false;
         }
         above = out;
     }
@@ -91,13 +97,20 @@ bool undo_filters(std::size_t pixel_bytes, const Byte* in, Image& image) {
     Byte* out = image.as<Byte>().data();
     const std::size_t rows = image.size.height;
     switch (pixel_bytes) {
-        case 1: return undo_filters<1>(in, out, row_bytes, rows);
-        case 2: return undo_filters<2>(in, out, row_bytes, rows);
-        case 3: return undo_filters<3>(in, out, row_bytes, rows);
-        case 4: return undo_filters<4>(in, out, row_bytes, rows);
-        case 6: return undo_filters<6>(in, out, row_bytes, rows);
-        case 8: return undo_filters<8>(in, out, row_bytes, rows);
-        default: return false;
+        case 1:
+            return undo_filters<1>(in, out, row_bytes, rows);
+        case 2:
+            return undo_filters<2>(in, out, row_bytes, rows);
+        case 3:
+            return undo_filters<3>(in, out, row_bytes, rows);
+        case 4:
+            return undo_filters<4>(in, out, row_bytes, rows);
+        case 6:
+            return undo_filters<6>(in, out, row_bytes, rows);
+        case 8:
+            return undo_filters<8>(in, out, row_bytes, rows);
+        default:
+            return false;
     }
 }
 
@@ -128,10 +141,10 @@ std::optional<Image> read_plain(const Chunks& chunks) {
     const std::size_t stored_bytes = (chunks.size.width * pixel_bytes + 1) * chunks.size.height;
     base::Bytes storage;
     const FileBytes packed = joined(chunks.pixels, storage);
-    // Left uninitialised: the inflate fills all of it or fails. Its size is the header's, so a bomb stops here.
+    // Left uninitialised: the inflate fills all of it or fails. Its size is the header's, so a bomb
+    // stops here.
     const auto stored = std::make_unique_for_overwrite<Byte[]>(stored_bytes);
-    const std::unique_ptr<libdeflate_decompressor, Decompressor> inflater(
-        libdeflate_alloc_decompressor());
+    const Decompressor inflater(libdeflate_alloc_decompressor());
     if (inflater == nullptr ||
         libdeflate_zlib_decompress(inflater.get(), packed.data(), packed.size(), stored.get(),
                                    stored_bytes, nullptr) != LIBDEFLATE_SUCCESS)

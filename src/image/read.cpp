@@ -1,6 +1,11 @@
-// Reading pictures of any format: the codec is found by magic bytes, its values are made safe to use.
-// SPDX-License-Identifier: MIT
+// Reading pictures of any format: the codec is found by magic bytes, its values are made safe to
+// use. SPDX-License-Identifier: MIT
 #include "image/read.h"
+
+#include "image/checks.h"
+#include "image/dispatch.h"
+
+#include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
 #include <bit>
@@ -8,11 +13,6 @@
 #include <exception>
 #include <new>
 #include <utility>
-
-#include <spdlog/fmt/fmt.h>
-
-#include "image/checks.h"
-#include "image/dispatch.h"
 
 namespace facet::image {
 namespace {
@@ -37,7 +37,8 @@ tl::unexpected<base::Error> out_of_memory() {
                        .remedy = "use a smaller picture"});
 }
 
-/// The layer that stands for the whole: the unnamed one, else the first with three channels, else the first.
+/// The layer that stands for the whole: the unnamed one, else the first with three channels, else
+/// the first.
 Layer main_layer(Picture& picture) {
     const auto unnamed = std::ranges::find(picture.layers, "", &Layer::name);
     if (unnamed != picture.layers.end()) return std::move(*unnamed);

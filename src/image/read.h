@@ -1,6 +1,11 @@
-// Reading pictures: what a file is by its first bytes, its header before its pixels, then the pixels.
-// SPDX-License-Identifier: MIT
+// Reading pictures: what a file is by its first bytes, its header before its pixels, then the
+// pixels. SPDX-License-Identifier: MIT
 #pragma once
+
+#include "base/limits.h"
+#include "base/result.h"
+#include "image/image.h"
+#include "tables/image_formats.h"
 
 #include <cstddef>
 #include <optional>
@@ -9,11 +14,6 @@
 #include <string_view>
 #include <utility>
 #include <vector>
-
-#include "base/limits.h"
-#include "base/result.h"
-#include "image/image.h"
-#include "tables/image_formats.h"
 
 namespace facet::image {
 
@@ -25,19 +25,21 @@ struct Header {
     Sample sample = Sample::u8;
 };
 
-/// The format by magic bytes; nothing where it is no known picture. Names and endings are not looked at.
+/// The format by magic bytes; nothing where it is no known picture. Names and endings are not
+/// looked at.
 [[nodiscard]] std::optional<tables::ImageFormat> sniff(std::span<const std::byte> file);
 
 /// Header only; every limit is checked here. Errors: input_invalid (unknown, broken, size 0),
 /// limit_reached (side, area, memory), feature_missing (a variant no reader has).
-[[nodiscard]] base::Result<Header> read_header(std::span<const std::byte> file, const base::Limits& limits);
+[[nodiscard]] base::Result<Header> read_header(std::span<const std::byte> file,
+                                               const base::Limits& limits);
 
-/// The pixels: PNG, JPEG, WebP, TIFF as u8 or u16 (stored transfer kept, straight alpha), HDR and EXR as f32
-/// linear. `channels` is that of the file (palettes are expanded to RGB or RGBA). NaN, infinite and negative
-/// values of HDR and EXR become 0, with one warning each that has the count.
+/// The pixels: PNG, JPEG, WebP, TIFF as u8 or u16 (stored transfer kept, straight alpha), HDR and
+/// EXR as f32 linear. `channels` is that of the file (palettes are expanded to RGB or RGBA). NaN,
+/// infinite and negative values of HDR and EXR become 0, with one warning each that has the count.
 /// Errors: as read_header, and input_invalid for truncated or damaged pixels; never partial pixels.
-[[nodiscard]] base::Result<Image> decode(std::span<const std::byte> file, const base::Limits& limits,
-                                         base::Warnings& warnings);
+[[nodiscard]] base::Result<Image> decode(std::span<const std::byte> file,
+                                         const base::Limits& limits, base::Warnings& warnings);
 
 /// One named set of channels of a picture: EXR layers, and the one unnamed layer of other formats.
 struct Layer {
@@ -51,7 +53,8 @@ struct Picture {
     std::vector<std::pair<std::string, std::string>> metadata;
     tables::ImageFormat format{};
 };
-/// Like decode, but keeps every EXR layer (values as stored, NaN and infinities too) and the metadata.
+/// Like decode, but keeps every EXR layer (values as stored, NaN and infinities too) and the
+/// metadata.
 [[nodiscard]] base::Result<Picture> decode_picture(std::span<const std::byte> file,
                                                    const base::Limits& limits);
 

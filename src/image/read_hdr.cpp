@@ -1,18 +1,19 @@
-// Reads Radiance pictures (RGBE): new and old run lengths, flat, any order of axes, EXPOSURE undone.
-// SPDX-License-Identifier: MIT
+// Reads Radiance pictures (RGBE): new and old run lengths, flat, any order of axes, EXPOSURE
+// undone. SPDX-License-Identifier: MIT
+#include "base/text.h"
+#include "image/bytes.h"
+#include "image/checks.h"
+#include "image/dispatch.h"
+#include "image/hdr_scanlines.h"
+
+#include <spdlog/fmt/fmt.h>
+
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <cstring>
 #include <string>
 #include <utility>
-
-#include <spdlog/fmt/fmt.h>
-
-#include "base/text.h"
-#include "image/bytes.h"
-#include "image/checks.h"
-#include "image/dispatch.h"
 
 namespace facet::image::hdr {
 namespace {
@@ -55,8 +56,7 @@ base::Status read_variable(std::string_view line, std::size_t at, Preamble& out)
     const std::string_view value = base::trimmed(line.substr(equals + 1));
     if (key == "FORMAT") {
         if (value == "32-bit_rle_xyze") return unsupported("a picture in XYZE", "XYZE");
-        if (value != "32-bit_rle_rgbe")
-            return damaged(at, "unknown FORMAT=", std::string(value));
+        if (value != "32-bit_rle_rgbe") return damaged(at, "unknown FORMAT=", std::string(value));
         out.has_format = true;
     } else if (key == "EXPOSURE") {  // may stand several times; the product counts
         const auto number = factor(value);
@@ -89,8 +89,7 @@ std::optional<Axis> take_axis(std::string_view& text) {
     if (text[1] != 'X' && text[1] != 'Y') return std::nullopt;
     Axis axis{text[1], text[0] == '-', 0};
     text = base::trimmed(text.substr(2));
-    const auto [end, error] =
-        std::from_chars(text.data(), text.data() + text.size(), axis.count);
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), axis.count);
     if (error != std::errc{}) return std::nullopt;
     text.remove_prefix(static_cast<std::size_t>(end - text.data()));
     return axis;
@@ -136,92 +135,8 @@ base::Result<Preamble> read_preamble(FileBytes file, const base::Limits& limits)
     return out;
 }
 
-/// Scanlines of RGBE, one after another; `planes` holds R, G, B, E of one scanline, each `width` long.
-class Scanlines {
-public:
-    Scanlines(FileBytes file, std::size_t at, std::size_t width)
-        : file_(file), at_(at), width_(width), planes_(width * 4) {}
-
-    [[nodiscard]] const std::uint8_t* plane(std::size_t channel) const {
-        return planes_.data() + channel * width_;
-    }
-    base::Status next() {
-        // New run lengths (Ward 1991, Graphics Gems II.5): 2, 2, and the width in the two bytes left.
-        if (width_ >= 8 && width_ < 32768 && file_.size() - at_ >= 4 && byte(0) == 2 &&
-            byte(1) == 2 && byte(2) < 128) {
-            if ((std::size_t{byte(2)} << 8 | byte(3)) != width_)
-                return damaged(at_, "a scanline of another width",
-                               fmt::format("{}", byte(2) << 8 | byte(3)));
-            at_ += 4;
-            for (std::size_t channel = 0; channel < 4; ++channel)
-                if (auto read = read_plane(channel); !read) return read;
-            return {};
-        }
-        return read_flat_or_old();
-    }
-
-private:
-    [[nodiscard]] std::uint8_t byte(std::size_t ahead) const { return byte_at(file_, at_ + ahead); }
-
-    base::Status read_plane(std::size_t channel) {
-        std::uint8_t* to = planes_.data() + channel * width_;
-        std::size_t left = width_;
-        while (left > 0) {
-            if (file_.size() - at_ < 2) return damaged(at_, "the file is cut short");
-            const std::size_t code = byte(0);
-            const std::size_t count = code > 128 ? code - 128 : code;
-            if (count == 0 || count > left)
-                return damaged(at_, "a run that leaves its scanline", fmt::format("{}", count));
-            if (code > 128) {
-                std::memset(to, byte(1), count);
-                at_ += 2;
-            } else {
-                if (file_.size() - at_ - 1 < count) return damaged(at_, "the file is cut short");
-                std::memcpy(to, file_.data() + at_ + 1, count);
-                at_ += 1 + count;
-            }
-            to += count;
-            left -= count;
-        }
-        return {};
-    }
-
-    /// Pixels of 4 bytes; 1 1 1 n repeats the pixel before n times, and n of consecutive ones are digits of
-    /// base 256, lowest first (Radiance's color.c, "old" format).
-    base::Status read_flat_or_old() {
-        std::size_t x = 0;
-        unsigned shift = 0;
-        while (x < width_) {
-            if (file_.size() - at_ < 4) return damaged(at_, "the file is cut short");
-            if (byte(0) == 1 && byte(1) == 1 && byte(2) == 1) {
-                const std::size_t count = shift < 32 ? std::size_t{byte(3)} << shift : width_ + 1;
-                if (x == 0 || count > width_ - x)
-                    return damaged(at_, "a run that leaves its scanline",
-                                   fmt::format("{}", count));
-                for (std::size_t channel = 0; channel < 4; ++channel) {
-                    std::uint8_t* to = planes_.data() + channel * width_ + x;
-                    std::memset(to, to[-1], count);
-                }
-                x += count;
-                shift += 8;
-            } else {
-                for (std::size_t channel = 0; channel < 4; ++channel)
-                    planes_[channel * width_ + x] = byte(channel);
-                ++x;
-                shift = 0;
-            }
-            at_ += 4;
-        }
-        return {};
-    }
-
-    FileBytes file_;
-    std::size_t at_;
-    std::size_t width_;
-    std::vector<std::uint8_t> planes_;
-};
-
-/// Factor by exponent byte: mantissa * 2^(e - 136) (Ward 1991); 0 for e = 0. Per channel, exposure undone.
+/// Factor by exponent byte: mantissa * 2^(e - 136) (Ward 1991); 0 for e = 0. Per channel, exposure
+/// undone.
 using ScaleTable = std::array<std::array<float, 3>, 256>;
 ScaleTable scales(const Preamble& preamble) {
     ScaleTable table{};
@@ -245,8 +160,8 @@ Target target(Image& image, const Preamble& preamble, std::uint32_t scanline) {
     std::ptrdiff_t y = preamble.rows_are_columns ? 0 : static_cast<std::ptrdiff_t>(scanline);
     if (preamble.flip_x) x = width - 1 - x;
     if (preamble.flip_y) y = height - 1 - y;
-    const std::ptrdiff_t step = preamble.rows_are_columns ? (preamble.flip_y ? -width : width)
-                                                          : (preamble.flip_x ? -1 : 1);
+    const std::ptrdiff_t step =
+        preamble.rows_are_columns ? (preamble.flip_y ? -width : width) : (preamble.flip_x ? -1 : 1);
     return {image.as<float>().data() + (y * width + x) * 3, step * 3};
 }
 
@@ -279,12 +194,13 @@ base::Result<Picture> read(FileBytes file, const base::Limits& limits,
                            base::Warnings& /*warnings*/) {
     auto preamble = read_preamble(file, limits);
     if (!preamble) return tl::unexpected(preamble.error());
-    const std::uint32_t across = preamble->rows_are_columns ? preamble->size.height
-                                                            : preamble->size.width;
-    const std::uint32_t scanline_count = preamble->rows_are_columns ? preamble->size.width
-                                                                    : preamble->size.height;
-    // The shortest file of so many scanlines: runs of 127 in new ones, one flat pixel in others (old runs reach
-    // any length). Refuses a huge resolution line without its pixels before memory is taken.
+    const std::uint32_t across =
+        preamble->rows_are_columns ? preamble->size.height : preamble->size.width;
+    const std::uint32_t scanline_count =
+        preamble->rows_are_columns ? preamble->size.width : preamble->size.height;
+    // The shortest file of so many scanlines: runs of 127 in new ones, one flat pixel in others
+    // (old runs reach any length). Refuses a huge resolution line without its pixels before memory
+    // is taken.
     if ((file.size() - preamble->pixels_at) / 4 < scanline_count)
         return damaged(file.size(), "the file is cut short");
     Image image(preamble->size, 3, Sample::f32);

@@ -1,20 +1,18 @@
 // Reads JPEG through libjpeg-turbo: baseline and progressive, gray, YCbCr, RGB, CMYK and YCCK.
 // SPDX-License-Identifier: MIT
-#include <algorithm>
-#include <array>
-#include <csetjmp>
-#include <cstdio>
-#include <memory>
-#include <string>
-
-#include <jpeglib.h>
-// After jpeglib.h, whose types it needs.
-#include <jerror.h>
-#include <spdlog/fmt/fmt.h>
 
 #include "image/bytes.h"
 #include "image/checks.h"
 #include "image/dispatch.h"
+#include "image/libjpeg.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <array>
+#include <csetjmp>
+#include <memory>
+#include <string>
 
 namespace facet::image::jpeg {
 namespace {
@@ -22,7 +20,8 @@ namespace {
 /// A progressive file may repeat a scan without end, each as dear as a whole picture.
 constexpr int scan_limit = 500;
 
-/// All that outlives libjpeg's longjmp. `errors` comes first: libjpeg hands back a pointer to it alone.
+/// All that outlives libjpeg's longjmp. `errors` comes first: libjpeg hands back a pointer to it
+/// alone.
 struct Reader {
     jpeg_error_mgr errors{};
     std::jmp_buf on_error{};
@@ -47,14 +46,17 @@ struct Reader {
     std::longjmp(reader.on_error, 1);
 }
 
-/// libjpeg goes on with gray where data are missing; a picture that is not whole is refused instead.
+/// libjpeg goes on with gray where data are missing; a picture that is not whole is refused
+/// instead.
 void on_message(j_common_ptr info, int level) {
     if (level >= 0) return;
     switch (info->err->msg_code) {
         case JWRN_EXTRANEOUS_DATA:  // bytes between markers: every pixel is there all the same
         case JWRN_ADOBE_XFORM:
-        case JWRN_JFIF_MAJOR: return;
-        default: stop(info);
+        case JWRN_JFIF_MAJOR:
+            return;
+        default:
+            stop(info);
     }
 }
 void on_progress(j_common_ptr info) {
@@ -95,10 +97,10 @@ bool read_rows(Reader& reader, JSAMPLE* pixels, std::size_t row_bytes) {
                                                         reader.info.output_height - 1);
             rows[i] = pixels + y * row_bytes;
         }
-        jpeg_read_scanlines(&reader.info, rows.data(),
-                            std::min<JDIMENSION>(static_cast<JDIMENSION>(rows.size()),
-                                                 reader.info.output_height -
-                                                     reader.info.output_scanline));
+        jpeg_read_scanlines(
+            &reader.info, rows.data(),
+            std::min<JDIMENSION>(static_cast<JDIMENSION>(rows.size()),
+                                 reader.info.output_height - reader.info.output_scanline));
     }
     jpeg_finish_decompress(&reader.info);
     return true;
@@ -117,15 +119,18 @@ tl::unexpected<base::Error> failed(const Reader& reader, FileBytes file) {
         case JERR_CCIR601_NOTIMPL:
         case JERR_FRACT_SAMPLE_NOTIMPL:
             return unsupported("this kind of JPEG is not supported", reader.problem.data());
-        case JERR_OUT_OF_MEMORY: throw std::bad_alloc();
+        case JERR_OUT_OF_MEMORY:
+            throw std::bad_alloc();
         case JERR_IMAGE_TOO_BIG:
             return base::fail({.code = base::ErrorCode::limit_reached,
                                .where = "header",
                                .what = "the JPEG is too large",
                                .found = reader.problem.data(),
                                .remedy = "scale the picture down"});
-        case JERR_EMPTY_IMAGE: return damaged(offset, "the picture has no pixels");
-        default: return damaged(offset, "the JPEG cannot be decoded", reader.problem.data());
+        case JERR_EMPTY_IMAGE:
+            return damaged(offset, "the picture has no pixels");
+        default:
+            return damaged(offset, "the JPEG cannot be decoded", reader.problem.data());
     }
 }
 
@@ -162,7 +167,8 @@ void warn_of_profile(const Reader& reader, base::Warnings& warnings) {
     }
 }
 
-/// Adobe's CMYK is stored inverted, so ink-free is 255: RGB is C*K, M*K, Y*K. Without a profile no more is known.
+/// Adobe's CMYK is stored inverted, so ink-free is 255: RGB is C*K, M*K, Y*K. Without a profile no
+/// more is known.
 Image rgb_from_cmyk(const Image& cmyk, bool is_inverted) {
     Image rgb(cmyk.size, 3, Sample::u8);
     const auto from = cmyk.as<std::uint8_t>();
@@ -170,15 +176,15 @@ Image rgb_from_cmyk(const Image& cmyk, bool is_inverted) {
     const unsigned flip = is_inverted ? 0U : 255U;
     for (std::size_t i = 0, o = 0; i < from.size(); i += 4, o += 3)
         for (std::size_t c = 0; c < 3; ++c)
-            to[o + c] =
-                static_cast<std::uint8_t>(((from[i + c] ^ flip) * (from[i + 3] ^ flip) + 127U) / 255U);
+            to[o + c] = static_cast<std::uint8_t>(
+                ((from[i + c] ^ flip) * (from[i + 3] ^ flip) + 127U) / 255U);
     return rgb;
 }
 
 base::Result<Image> pixels_of(Reader& reader, FileBytes file, const Header& header,
                               base::Warnings& warnings) {
     const bool from_cmyk = is_cmyk(reader);
-    reader.info.out_color_space = from_cmyk             ? JCS_CMYK
+    reader.info.out_color_space = from_cmyk              ? JCS_CMYK
                                   : header.channels == 1 ? JCS_GRAYSCALE
                                                          : JCS_RGB;
     Image image(header.size, from_cmyk ? 4 : header.channels, Sample::u8);

@@ -1,21 +1,22 @@
-// Reads PNG: plain files quickly, all others (palette, tRNS, 1 to 4 bits, interlaced) through libpng.
-// SPDX-License-Identifier: MIT
-#include <algorithm>
-#include <csetjmp>
-#include <cstring>
-#include <string>
-
-#include <png.h>
-
+// Reads PNG: plain files quickly, all others (palette, tRNS, 1 to 4 bits, interlaced) through
+// libpng. SPDX-License-Identifier: MIT
 #include "image/bytes.h"
 #include "image/checks.h"
 #include "image/dispatch.h"
 #include "image/png_chunks.h"
 
+#include <png.h>
+
+#include <algorithm>
+#include <csetjmp>
+#include <cstring>
+#include <string>
+
 namespace facet::image::png {
 namespace {
 
-/// All that outlives libpng's longjmp: nothing with a destructor may live between setjmp and the jump.
+/// All that outlives libpng's longjmp: nothing with a destructor may live between setjmp and the
+/// jump.
 struct Reader {
     png_structp png = nullptr;
     png_infop info = nullptr;
@@ -34,7 +35,8 @@ struct Reader {
     static_cast<Reader*>(png_get_error_ptr(png))->problem = message;
     png_longjmp(png, 1);
 }
-void on_warning(png_structp /*png*/, png_const_charp /*message*/) {}  // libpng repairs what it warns of
+void on_warning(png_structp /*png*/, png_const_charp /*message*/) {
+}  // libpng repairs what it warns of
 
 void on_read(png_structp png, png_bytep to, std::size_t count) {
     auto& reader = *static_cast<Reader*>(png_get_io_ptr(png));
@@ -75,8 +77,8 @@ base::Result<Image> read_with_libpng(FileBytes file, const Chunks& chunks,
     reader.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &reader, on_error, on_warning);
     if (reader.png != nullptr) reader.info = png_create_info_struct(reader.png);
     if (reader.info == nullptr)
-        return base::fail({.code = base::ErrorCode::limit_reached,
-                           .what = "no memory for the PNG reader"});
+        return base::fail(
+            {.code = base::ErrorCode::limit_reached, .what = "no memory for the PNG reader"});
     if (!start(reader, limits)) return failed(reader);
     // Asked of libpng, which may have dropped a tRNS whose checksum does not hold.
     Image image({png_get_image_width(reader.png, reader.info),

@@ -1,16 +1,16 @@
 // Reads WebP through libwebp: lossy and lossless, and the first frame of an animation.
 // SPDX-License-Identifier: MIT
-#include <cstring>
-#include <string>
-#include <utility>
-
-#include <spdlog/fmt/fmt.h>
-#include <webp/decode.h>
-
 #include "image/bytes.h"
 #include "image/checks.h"
 #include "image/dispatch.h"
 #include "image/webp_chunks.h"
+
+#include <spdlog/fmt/fmt.h>
+#include <webp/decode.h>
+
+#include <cstring>
+#include <string>
+#include <utility>
 
 namespace facet::image::webp {
 namespace {
@@ -22,9 +22,12 @@ const std::uint8_t* raw(FileBytes file) {
 base::Result<WebPBitstreamFeatures> features_of(FileBytes file) {
     WebPBitstreamFeatures features{};
     switch (WebPGetFeatures(raw(file), file.size(), &features)) {
-        case VP8_STATUS_OK: return features;
-        case VP8_STATUS_NOT_ENOUGH_DATA: return damaged(file.size(), "the file is cut short");
-        default: return damaged(0, "the WebP header is damaged");
+        case VP8_STATUS_OK:
+            return features;
+        case VP8_STATUS_NOT_ENOUGH_DATA:
+            return damaged(file.size(), "the file is cut short");
+        default:
+            return damaged(0, "the WebP header is damaged");
     }
 }
 
@@ -60,8 +63,7 @@ base::Result<Image> on_canvas(Image frame, const FirstFrame& place) {
     const std::size_t channels = frame.channels;
     const std::byte* in = frame.bytes.data();
     for (std::size_t y = 0; y < frame.size.height; ++y) {
-        std::byte* out =
-            canvas.bytes.data() + ((y + place.y) * canvas.size.width + place.x) * 4;
+        std::byte* out = canvas.bytes.data() + ((y + place.y) * canvas.size.width + place.x) * 4;
         for (std::size_t x = 0; x < frame.size.width; ++x, in += channels, out += 4) {
             std::memcpy(out, in, channels);
             if (channels == 3) out[3] = std::byte{255};

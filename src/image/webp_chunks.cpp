@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "image/webp_chunks.h"
 
-#include <optional>
-#include <string_view>
-
 #include "image/bytes.h"
 #include "image/checks.h"
+
+#include <optional>
+#include <string_view>
 
 namespace facet::image::webp {
 namespace {

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdint>
-#include <string>
-
 #include "base/result.h"
 #include "image/dispatch.h"
+
+#include <cstdint>
+#include <string>
 
 namespace facet::image::webp {
 

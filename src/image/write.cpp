@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "image/write.h"
 
-#include <exception>
-#include <new>
-
 #include "image/checks.h"
 #include "image/dispatch.h"
+
+#include <exception>
+#include <new>
 
 namespace facet::image {
 namespace {

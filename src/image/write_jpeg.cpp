@@ -1,21 +1,20 @@
 // Writes JPEG through libjpeg-turbo: quality 95, chroma at full resolution, alpha laid over black.
 // SPDX-License-Identifier: MIT
-#include <algorithm>
-#include <array>
-#include <csetjmp>
-#include <cstdio>
-#include <cstdlib>
-
-#include <jpeglib.h>
-
 #include "image/bytes.h"
 #include "image/checks.h"
 #include "image/dispatch.h"
+#include "image/libjpeg.h"
+
+#include <algorithm>
+#include <array>
+#include <csetjmp>
+#include <cstdlib>
 
 namespace facet::image::jpeg {
 namespace {
 
-/// All that outlives libjpeg's longjmp. `errors` comes first: libjpeg hands back a pointer to it alone.
+/// All that outlives libjpeg's longjmp. `errors` comes first: libjpeg hands back a pointer to it
+/// alone.
 struct Writer {
     jpeg_error_mgr errors{};
     std::jmp_buf on_error{};

@@ -1,5 +1,12 @@
-// Writes PNG: rows filtered, one IDAT packed by libdeflate, always an sRGB chunk, metadata as text chunks.
-// SPDX-License-Identifier: MIT
+// Writes PNG: rows filtered, one IDAT packed by libdeflate, always an sRGB chunk, metadata as text
+// chunks. SPDX-License-Identifier: MIT
+#include "image/bytes.h"
+#include "image/checks.h"
+#include "image/dispatch.h"
+#include "image/libdeflate.h"
+
+#include <spdlog/fmt/fmt.h>
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -8,21 +15,10 @@
 #include <memory>
 #include <string>
 
-#include <libdeflate.h>
-#include <spdlog/fmt/fmt.h>
-
-#include "image/bytes.h"
-#include "image/checks.h"
-#include "image/dispatch.h"
-
 namespace facet::image::png {
 namespace {
 
 using Byte = std::uint8_t;
-
-struct Compressor {
-    void operator()(libdeflate_compressor* c) const noexcept { libdeflate_free_compressor(c); }
-};
 
 void append_chunk(base::Bytes& out, std::string_view type, FileBytes body) {
     append_big32(out, static_cast<std::uint32_t>(body.size()));
@@ -43,7 +39,8 @@ base::Bytes ihdr(const Image& image) {
     return body;
 }
 
-/// tEXt where the text is ASCII, else iTXt (UTF-8). Keys are cut to the 79 bytes that the format has.
+/// tEXt where the text is ASCII, else iTXt (UTF-8). Keys are cut to the 79 bytes that the format
+/// has.
 void append_text(base::Bytes& out, const std::pair<std::string, std::string>& entry) {
     using namespace std::string_view_literals;
     const std::string_view key = std::string_view(entry.first).substr(0, 79);
@@ -85,16 +82,27 @@ void apply_filter(int filter, const Row& row, Byte* out) {
     const Byte* b = row.above.data();
     const std::size_t bytes = row.now.size();
     const auto each = [&](const auto& predicted) {
-        for (std::size_t i = 0; i < n; ++i) out[i] = static_cast<Byte>(x[i] - predicted(0, b[i], 0));
+        for (std::size_t i = 0; i < n; ++i)
+            out[i] = static_cast<Byte>(x[i] - predicted(0, b[i], 0));
         for (std::size_t i = n; i < bytes; ++i)
             out[i] = static_cast<Byte>(x[i] - predicted(x[i - n], b[i], b[i - n]));
     };
     switch (filter) {
-        case 1: each([](int a, int, int) { return a; }); break;
-        case 2: each([](int, int up, int) { return up; }); break;
-        case 3: each([](int a, int up, int) { return (a + up) >> 1; }); break;
-        case 4: each([](int a, int up, int c) { return paeth(a, up, c); }); break;
-        default: std::memcpy(out, x, bytes); break;
+        case 1:
+            each([](int a, int, int) { return a; });
+            break;
+        case 2:
+            each([](int, int up, int) { return up; });
+            break;
+        case 3:
+            each([](int a, int up, int) { return (a + up) >> 1; });
+            break;
+        case 4:
+            each([](int a, int up, int c) { return paeth(a, up, c); });
+            break;
+        default:
+            std::memcpy(out, x, bytes);
+            break;
     }
 }
 
@@ -108,7 +116,8 @@ std::uint64_t cost(const Byte* bytes, std::size_t count) {
     return sum;
 }
 
-/// All rows, each behind its filter's number. Quick: Up throughout, which a rendered picture likes as well.
+/// All rows, each behind its filter's number. Quick: Up throughout, which a rendered picture likes
+/// as well.
 std::vector<Byte> filtered(const Image& image, bool fast) {
     const std::size_t pixel_bytes = image.channels * sample_bytes(image.sample);
     const std::size_t row_bytes = image.size.width * pixel_bytes;
@@ -139,12 +148,11 @@ std::vector<Byte> filtered(const Image& image, bool fast) {
 }
 
 base::Bytes packed(const std::vector<Byte>& rows, bool fast) {
-    const std::unique_ptr<libdeflate_compressor, Compressor> deflater(
-        libdeflate_alloc_compressor(fast ? 1 : 6));
+    const Compressor deflater(libdeflate_alloc_compressor(fast ? 1 : 6));
     if (deflater == nullptr) throw std::bad_alloc();
     base::Bytes out(libdeflate_zlib_compress_bound(deflater.get(), rows.size()));
-    out.resize(libdeflate_zlib_compress(deflater.get(), rows.data(), rows.size(), out.data(),
-                                        out.size()));
+    out.resize(
+        libdeflate_zlib_compress(deflater.get(), rows.data(), rows.size(), out.data(), out.size()));
     return out;
 }
 
@@ -152,8 +160,8 @@ base::Bytes packed(const std::vector<Byte>& rows, bool fast) {
 
 base::Result<base::Bytes> write(std::span<const Layer> layers, const WriteOptions& options) {
     using namespace std::string_view_literals;
-    const auto image = with_integer_depth(
-        layers.front().image, options.depth == Depth::u16 ? Sample::u16 : Sample::u8);
+    const auto image = with_integer_depth(layers.front().image,
+                                          options.depth == Depth::u16 ? Sample::u16 : Sample::u8);
     if (!image) return tl::unexpected(image.error());
     base::Bytes idat = packed(filtered(*image, options.fast), options.fast);
     // Pieces below 2^31 bytes: the format's limit for one chunk.

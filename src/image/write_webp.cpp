@@ -1,14 +1,14 @@
 // Writes WebP through libwebp: lossless, the colour beneath alpha 0 kept.
 // SPDX-License-Identifier: MIT
-#include <string>
-
-#include <spdlog/fmt/fmt.h>
-#include <webp/encode.h>
-
 #include "image/bytes.h"
 #include "image/checks.h"
 #include "image/dispatch.h"
 #include "image/mips.h"
+
+#include <spdlog/fmt/fmt.h>
+#include <webp/encode.h>
+
+#include <string>
 
 namespace facet::image::webp {
 namespace {
@@ -17,9 +17,7 @@ namespace {
 struct Writer {
     WebPPicture picture{};
     WebPMemoryWriter memory{};
-    Writer() {
-        WebPMemoryWriterInit(&memory);
-    }
+    Writer() { WebPMemoryWriterInit(&memory); }
     Writer(const Writer&) = delete;
     Writer& operator=(const Writer&) = delete;
     ~Writer() {

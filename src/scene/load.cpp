@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "scene/load.h"
 
-#include <algorithm>
-#include <system_error>
-
 #include "base/file.h"
 #include "base/resources.h"
 #include "base/text.h"
 #include "scene/gltf/gltf.h"
+
+#include <algorithm>
+#include <system_error>
 
 namespace facet::scene {
 namespace {
@@ -21,8 +21,8 @@ constexpr std::string_view builtin_prefix = "builtin:";
 /// The file of a built-in scene in `folder`; an empty path where there is none.
 fs::path find_builtin(const fs::path& folder, const std::string& name) {
     std::error_code error;
-    for (const fs::path& file : {folder / (name + ".glb"), folder / (name + ".gltf"), folder / name / (name + ".gltf"),
-                                 folder / name / (name + ".glb")})
+    for (const fs::path& file : {folder / (name + ".glb"), folder / (name + ".gltf"),
+                                 folder / name / (name + ".gltf"), folder / name / (name + ".glb")})
         if (fs::is_regular_file(file, error)) return file;
     return {};
 }
@@ -44,10 +44,14 @@ base::Result<fs::path> resolve(const std::string& name) {
                                               : "did you mean " + base::join(near, " or ")});
 }
 
-fs::path folder_of(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : fs::path("."); }
+fs::path folder_of(const fs::path& path) {
+    return path.has_parent_path() ? path.parent_path() : fs::path(".");
+}
 
-gltf::Origin origin_of(const std::string& label, std::optional<fs::path> folder, const LoadOptions& options) {
-    return {.label = label, .folder = std::move(folder), .allowed_folders = options.allowed_folders};
+gltf::Origin origin_of(const std::string& label, std::optional<fs::path> folder,
+                       const LoadOptions& options) {
+    return {
+        .label = label, .folder = std::move(folder), .allowed_folders = options.allowed_folders};
 }
 
 }  // namespace
@@ -58,7 +62,8 @@ std::vector<std::string> builtin_scene_names() {
     if (!data) return names;
     const fs::path folder = *data / "resources/scenes";
     std::error_code error;
-    for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+         entry.increment(error)) {
         const std::string stem = entry->path().stem().string();
         if (!find_builtin(folder, stem).empty()) names.push_back(stem);
     }
@@ -67,13 +72,14 @@ std::vector<std::string> builtin_scene_names() {
     return names;
 }
 
-base::Result<Loaded> load(const std::string& name, const LoadOptions& options, const base::Limits& limits,
-                          base::ThreadPool& pool) {
+base::Result<Loaded> load(const std::string& name, const LoadOptions& options,
+                          const base::Limits& limits, base::ThreadPool& pool) {
     const auto path = resolve(name);
     if (!path) return tl::unexpected(path.error());
     auto file = base::read_file(*path, limits.file_bytes);
     if (!file) return base::fail(base::in_file(file.error(), name));
-    auto loaded = gltf::import_bytes(std::move(*file), origin_of(name, folder_of(*path), options), options, limits, pool);
+    auto loaded = gltf::import_bytes(std::move(*file), origin_of(name, folder_of(*path), options),
+                                     options, limits, pool);
     if (!loaded) return loaded;
     loaded->reads.insert(loaded->reads.begin(), *path);
     if (loaded->scene.name.empty()) loaded->scene.name = path->stem().string();
@@ -81,9 +87,11 @@ base::Result<Loaded> load(const std::string& name, const LoadOptions& options, c
 }
 
 base::Result<Loaded> load_bytes(std::span<const std::byte> bytes, const std::string& label,
-                                const LoadOptions& options, const base::Limits& limits, base::ThreadPool& pool) {
-    return gltf::import_bytes(base::Bytes(bytes.begin(), bytes.end()), origin_of(label, options.base_folder, options),
-                              options, limits, pool);
+                                const LoadOptions& options, const base::Limits& limits,
+                                base::ThreadPool& pool) {
+    return gltf::import_bytes(base::Bytes(bytes.begin(), bytes.end()),
+                              origin_of(label, options.base_folder, options), options, limits,
+                              pool);
 }
 
 base::Result<std::vector<Finding>> check(const std::string& name, const LoadOptions& options,

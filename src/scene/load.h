@@ -2,6 +2,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/limits.h"
+#include "base/result.h"
+#include "base/thread_pool.h"
+#include "scene/scene.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -10,20 +15,16 @@
 #include <string>
 #include <vector>
 
-#include "base/limits.h"
-#include "base/result.h"
-#include "base/thread_pool.h"
-#include "scene/scene.h"
-
 namespace facet::scene {
 
 struct LoadOptions {
     std::vector<std::filesystem::path> allowed_folders;  ///< --allow-read
     std::vector<std::string> ignored_required;           ///< --ignore-required
-    std::optional<std::filesystem::path> base_folder;    ///< --base: folder of relative URIs for bytes
-    std::optional<std::uint32_t> scene_index;            ///< none: the file's default scene
-    bool decode_images = true;                           ///< off for `info`: headers are checked all the same
-    bool strict = false;                                 ///< a missing texture is an error
+    std::optional<std::filesystem::path>
+        base_folder;                           ///< --base: folder of relative URIs for bytes
+    std::optional<std::uint32_t> scene_index;  ///< none: the file's default scene
+    bool decode_images = true;                 ///< off for `info`: headers are checked all the same
+    bool strict = false;                       ///< a missing texture is an error
 };
 
 /// A scene and what was wrong but usable in it.
@@ -38,9 +39,9 @@ struct Loaded {
 [[nodiscard]] base::Result<Loaded> load(const std::string& name, const LoadOptions& options,
                                         const base::Limits& limits, base::ThreadPool& pool);
 /// GLB or glTF text in memory (standard input).
-[[nodiscard]] base::Result<Loaded> load_bytes(std::span<const std::byte> bytes, const std::string& label,
-                                              const LoadOptions& options, const base::Limits& limits,
-                                              base::ThreadPool& pool);
+[[nodiscard]] base::Result<Loaded> load_bytes(std::span<const std::byte> bytes,
+                                              const std::string& label, const LoadOptions& options,
+                                              const base::Limits& limits, base::ThreadPool& pool);
 
 /// What can follow "builtin:", sorted.
 [[nodiscard]] std::vector<std::string> builtin_scene_names();
@@ -54,7 +55,8 @@ struct Finding {
     std::string message;
 };
 /// Every problem of a file. Errors (as a Result): only when the file cannot be read at all.
-[[nodiscard]] base::Result<std::vector<Finding>> check(const std::string& path, const LoadOptions& options,
+[[nodiscard]] base::Result<std::vector<Finding>> check(const std::string& path,
+                                                       const LoadOptions& options,
                                                        const base::Limits& limits);
 
 }  // namespace facet::scene

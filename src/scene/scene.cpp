@@ -6,7 +6,8 @@ namespace facet::scene {
 
 std::uint64_t Scene::triangle_count() const {
     std::uint64_t count = 0;
-    for (const Instance& instance : instances) count += meshes[instance.mesh.index].indices.size() / 3;
+    for (const Instance& instance : instances)
+        count += meshes[instance.mesh.index].indices.size() / 3;
     return count;
 }
 

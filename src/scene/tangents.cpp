@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "scene/tangents.h"
 
+#include "base/assert.h"
+#include "scene/tangents_topology.h"
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -10,9 +13,6 @@
 #include <utility>
 #include <vector>
 
-#include "base/assert.h"
-#include "scene/tangents_topology.h"
-
 namespace facet::scene {
 namespace {
 
@@ -20,20 +20,20 @@ constexpr std::uint32_t none = tangents::none;
 
 /// What one triangle says about the directions of u and of v.
 struct Face {
-    Vec3 along_u{0.0F};             ///< unit, or zero
-    bool is_right_handed = false;   ///< orientation of the coordinates is kept
-    bool follows_any = true;        ///< no area in uv: takes the handedness of whatever group reaches it
-    bool is_degenerate = false;     ///< no area in space
+    Vec3 along_u{0.0F};            ///< unit, or zero
+    bool is_right_handed = false;  ///< orientation of the coordinates is kept
+    bool follows_any = true;  ///< no area in uv: takes the handedness of whatever group reaches it
+    bool is_degenerate = false;  ///< no area in space
 };
 
 struct Work {
     const Mesh& mesh;
     const std::vector<Vec2>& uv;
-    std::vector<std::uint32_t> weld;            ///< by vertex: first vertex that equals it
+    std::vector<std::uint32_t> weld;  ///< by vertex: first vertex that equals it
     std::vector<Face> faces;
-    std::vector<std::uint32_t> neighbors;       ///< by corner: corner across the edge that starts here
-    std::vector<std::uint32_t> groups;          ///< by corner
-    std::vector<Vec3> sums;                     ///< by group
+    std::vector<std::uint32_t> neighbors;  ///< by corner: corner across the edge that starts here
+    std::vector<std::uint32_t> groups;     ///< by corner
+    std::vector<Vec3> sums;                ///< by group
     std::vector<bool> group_is_right_handed;
 };
 
@@ -44,8 +44,12 @@ Vec3 normalized_or_zero(const Vec3& v) {
     return is_usable(size) ? v / size : Vec3(0.0F);
 }
 
-std::uint32_t next_corner(std::uint32_t corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
-std::uint32_t previous_corner(std::uint32_t corner) { return corner % 3 == 0 ? corner + 2 : corner - 1; }
+std::uint32_t next_corner(std::uint32_t corner) {
+    return corner % 3 == 2 ? corner - 2 : corner + 1;
+}
+std::uint32_t previous_corner(std::uint32_t corner) {
+    return corner % 3 == 0 ? corner + 2 : corner - 1;
+}
 
 Face describe_face(const Work& work, std::size_t first) {
     std::array<std::uint32_t, 3> v{};
@@ -82,7 +86,8 @@ bool admit(Work& work, std::uint32_t corner, bool is_right_handed) {
 }
 
 /// Floods from corner to corner around one vertex, over shared edges.
-void grow_group(Work& work, std::uint32_t seed, std::uint32_t group, std::vector<std::uint32_t>& stack) {
+void grow_group(Work& work, std::uint32_t seed, std::uint32_t group,
+                std::vector<std::uint32_t>& stack) {
     const bool is_right_handed = work.faces[seed / 3].is_right_handed;
     const std::uint32_t vertex = work.weld[work.mesh.indices[seed]];
     stack.assign(1, seed);
@@ -122,10 +127,14 @@ void add_corner(Work& work, std::uint32_t corner) {
     if (group == none || face.follows_any) return;
     const std::uint32_t vertex = work.mesh.indices[corner];
     const Vec3& n = work.mesh.normals[vertex];
-    const auto in_plane = [&](const Vec3& v) { return normalized_or_zero(v - n * math::dot(n, v)); };
+    const auto in_plane = [&](const Vec3& v) {
+        return normalized_or_zero(v - n * math::dot(n, v));
+    };
     const Vec3& here = work.mesh.positions_m[vertex];
-    const Vec3 back = in_plane(work.mesh.positions_m[work.mesh.indices[previous_corner(corner)]] - here);
-    const Vec3 ahead = in_plane(work.mesh.positions_m[work.mesh.indices[next_corner(corner)]] - here);
+    const Vec3 back =
+        in_plane(work.mesh.positions_m[work.mesh.indices[previous_corner(corner)]] - here);
+    const Vec3 ahead =
+        in_plane(work.mesh.positions_m[work.mesh.indices[next_corner(corner)]] - here);
     const float angle = std::acos(std::clamp(math::dot(back, ahead), -1.0F, 1.0F));
     work.sums[group] += in_plane(face.along_u) * angle;
 }
@@ -170,13 +179,17 @@ void split_vertices(Mesh& mesh, const std::vector<Vec4>& by_corner) {
     mesh.tangents.assign(original_count, Vec4(0.0F));
     for (std::size_t corner = 0; corner < mesh.indices.size(); ++corner) {
         std::uint32_t vertex = mesh.indices[corner];
-        while (is_set[vertex] && mesh.tangents[vertex] != by_corner[corner] && next_copy[vertex] != none)
+        while (is_set[vertex] && mesh.tangents[vertex] != by_corner[corner] &&
+               next_copy[vertex] != none)
             vertex = next_copy[vertex];
         if (is_set[vertex] && mesh.tangents[vertex] != by_corner[corner]) {
             const auto copy = static_cast<std::uint32_t>(mesh.positions_m.size());
-            for (std::vector<Vec3>* const values : {&mesh.positions_m, &mesh.normals}) repeat_last(*values, vertex);
-            for (std::vector<Vec2>* const values : {&mesh.uv0, &mesh.uv1}) repeat_last(*values, vertex);
-            for (std::vector<Vec4>* const values : {&mesh.colors, &mesh.tangents}) repeat_last(*values, vertex);
+            for (std::vector<Vec3>* const values : {&mesh.positions_m, &mesh.normals})
+                repeat_last(*values, vertex);
+            for (std::vector<Vec2>* const values : {&mesh.uv0, &mesh.uv1})
+                repeat_last(*values, vertex);
+            for (std::vector<Vec4>* const values : {&mesh.colors, &mesh.tangents})
+                repeat_last(*values, vertex);
             next_copy[vertex] = copy;
             next_copy.push_back(none);
             is_set.push_back(false);
@@ -194,7 +207,8 @@ void split_vertices(Mesh& mesh, const std::vector<Vec4>& by_corner) {
 
 void generate_tangents(Mesh& mesh, std::uint32_t uv_set) {
     const std::vector<Vec2>& uv = uv_set == 0 ? mesh.uv0 : mesh.uv1;
-    FACET_ASSERT(uv.size() == mesh.positions_m.size() && mesh.normals.size() == mesh.positions_m.size());
+    FACET_ASSERT(uv.size() == mesh.positions_m.size() &&
+                 mesh.normals.size() == mesh.positions_m.size());
     Work work{.mesh = mesh,
               .uv = uv,
               .weld = tangents::weld_vertices(mesh, uv),

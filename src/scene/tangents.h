@@ -2,20 +2,21 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdint>
-
 #include "scene/scene.h"
+
+#include <cstdint>
 
 namespace facet::scene {
 
-/// Fills mesh.tangents from its normals and texture coordinates `uv_set` (0 or 1), in the way of Mikkelsen's
-/// MikkTSpace, which normal maps are baked for: corners are grouped by position, normal and coordinate, by
-/// connection over edges and by handedness; each group's tangent is the angle-weighted mean of its faces'.
-/// Vertices whose corners fall into several groups are split, so every vertex array may grow and the indices
-/// change; triangles keep their order. w is the handedness: bitangent = w cross(n, t), towards the top of the
-/// image (glTF's v points down). Corners without a usable coordinate get any tangent square to the normal.
-/// Precondition: normals and the uv set are as long as positions.
-/// Source: Mikkelsen 2008, "Simulation of Wrinkled Surfaces Revisited", section 3.3 and its published algorithm.
+/// Fills mesh.tangents from its normals and texture coordinates `uv_set` (0 or 1), in the way of
+/// Mikkelsen's MikkTSpace, which normal maps are baked for: corners are grouped by position, normal
+/// and coordinate, by connection over edges and by handedness; each group's tangent is the
+/// angle-weighted mean of its faces'. Vertices whose corners fall into several groups are split, so
+/// every vertex array may grow and the indices change; triangles keep their order. w is the
+/// handedness: bitangent = w cross(n, t), towards the top of the image (glTF's v points down).
+/// Corners without a usable coordinate get any tangent square to the normal. Precondition: normals
+/// and the uv set are as long as positions. Source: Mikkelsen 2008, "Simulation of Wrinkled
+/// Surfaces Revisited", section 3.3 and its published algorithm.
 void generate_tangents(Mesh& mesh, std::uint32_t uv_set);
 
 }  // namespace facet::scene

@@ -1,5 +1,5 @@
-// Which corners of a mesh are one vertex, and which triangles meet at an edge: by hashing, in linear time.
-// SPDX-License-Identifier: MIT
+// Which corners of a mesh are one vertex, and which triangles meet at an edge: by hashing, in
+// linear time. SPDX-License-Identifier: MIT
 #include "scene/tangents_topology.h"
 
 #include <array>
@@ -8,7 +8,8 @@
 namespace facet::scene::tangents {
 namespace {
 
-/// Finalizer of SplitMix64 (Steele et al. 2014): every bit of the input reaches every bit of the output.
+/// Finalizer of SplitMix64 (Steele et al. 2014): every bit of the input reaches every bit of the
+/// output.
 std::uint64_t mixed(std::uint64_t x) {
     x = (x ^ x >> 30) * 0xBF58476D1CE4E5B9ULL;
     x = (x ^ x >> 27) * 0x94D049BB133111EBULL;
@@ -21,12 +22,14 @@ Key key_of(const Mesh& mesh, const std::vector<Vec2>& uv, std::size_t v) {
     const Vec3& p = mesh.positions_m[v];
     const Vec3& n = mesh.normals[v];
     // + 0 turns -0 into 0, which equals it.
-    return {p.x + 0.0F, p.y + 0.0F, p.z + 0.0F, n.x + 0.0F, n.y + 0.0F, n.z + 0.0F, uv[v].x + 0.0F, uv[v].y + 0.0F};
+    return {p.x + 0.0F, p.y + 0.0F, p.z + 0.0F,     n.x + 0.0F,
+            n.y + 0.0F, n.z + 0.0F, uv[v].x + 0.0F, uv[v].y + 0.0F};
 }
 
 std::uint64_t hash_of(const Key& key) {
     std::uint64_t hash = 0;
-    for (const float x : key) hash = mixed(hash + 0x9E3779B97F4A7C15ULL + std::bit_cast<std::uint32_t>(x));
+    for (const float x : key)
+        hash = mixed(hash + 0x9E3779B97F4A7C15ULL + std::bit_cast<std::uint32_t>(x));
     return hash;
 }
 
@@ -43,7 +46,8 @@ std::vector<std::uint32_t> weld_vertices(const Mesh& mesh, const std::vector<Vec
     for (std::size_t v = 0; v < count; ++v) {
         const Key key = key_of(mesh, uv, v);
         std::size_t slot = hash_of(key) & mask;
-        while (table[slot] != none && key_of(mesh, uv, table[slot]) != key) slot = (slot + 1) & mask;
+        while (table[slot] != none && key_of(mesh, uv, table[slot]) != key)
+            slot = (slot + 1) & mask;
         if (table[slot] == none) table[slot] = static_cast<std::uint32_t>(v);
         weld[v] = table[slot];
     }
@@ -52,11 +56,13 @@ std::vector<std::uint32_t> weld_vertices(const Mesh& mesh, const std::vector<Vec
 
 namespace {
 
-/// Corners that wait for the triangle across their edge, first come first served. A list for each directed
-/// edge, so that a million triangles over one edge cost no more than a million over as many.
+/// Corners that wait for the triangle across their edge, first come first served. A list for each
+/// directed edge, so that a million triangles over one edge cost no more than a million over as
+/// many.
 class Waiting {
 public:
-    explicit Waiting(std::size_t corner_count) : next_(corner_count, none), slots_(table_size(corner_count)) {}
+    explicit Waiting(std::size_t corner_count)
+        : next_(corner_count, none), slots_(table_size(corner_count)) {}
 
     void add(std::uint64_t edge, std::uint32_t corner) {
         Slot& slot = find(edge);

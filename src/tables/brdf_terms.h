@@ -90,8 +90,8 @@ inline constexpr auto brdf_slots = std::to_array<BrdfSlot>({
 
 /// What a row of brdf_terms.def says beside its names.
 struct BrdfTermNotes {
-    std::string_view help = {};
     bool lesson = false;            ///< for `facet brdf` and lessons, not for pictures
+    std::string_view help = {};
     std::string_view follows = {};  ///< the slot whose value chooses this row; empty: the row's own
 };
 /// One row of brdf_terms.def, in order. Within a slot the order is that of its enumeration.

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include "base/thread_pool.h"
 #include "brdf/albedo.h"
 #include "brdf/glsl_text.h"
 #include "frame/frame.h"
 #include "support/shapes.h"
+
+#include <gtest/gtest.h>
 
 namespace facet::test {
 
@@ -35,7 +35,9 @@ struct Picture {
         const std::size_t i = (std::size_t{y} * radiance.size.width + x) * 4;
         return {v[i], v[i + 1], v[i + 2], v[i + 3]};
     }
-    [[nodiscard]] math::Vec4 center() const { return at(radiance.size.width / 2, radiance.size.height / 2); }
+    [[nodiscard]] math::Vec4 center() const {
+        return at(radiance.size.width / 2, radiance.size.height / 2);
+    }
 };
 
 /// A context and what is drawn with it; several shots may share one, and its compiled shaders.
@@ -54,8 +56,9 @@ public:
         if (!scene) return tl::unexpected(scene.error());
         const brdf::AlbedoTable table = brdf::albedo_table(shot.brdf);
         base::Warnings warnings;
-        auto environment = frame::upload_environment(*gl_, {.name = "test", .latlong = shot.latlong}, {},
-                                                     table.texels, table.size, pool, warnings);
+        auto environment =
+            frame::upload_environment(*gl_, {.name = "test", .latlong = shot.latlong}, {},
+                                      table.texels, table.size, pool, warnings);
         if (!environment) return tl::unexpected(environment.error());
         auto frame = frame::Frame::create(*gl_, sources,
                                           {.picture = shot.size,
@@ -66,11 +69,14 @@ public:
         const frame::PackedLights lights = frame::pack_lights(shot.scene.lights);
         const frame::FrameInputs in{*scene, *environment, lights, shot.camera, shot.background};
         for (std::uint32_t i = 0; i < shot.samples; ++i)
-            if (auto drawn = frame->draw(*gl_, in, i, shot.samples); !drawn) return tl::unexpected(drawn.error());
-        Picture out{.radiance = frame::read_radiance(*gl_, frame->sum_framebuffer(shot.samples), shot.size),
-                    .aovs = {}};
+            if (auto drawn = frame->draw(*gl_, in, i, shot.samples); !drawn)
+                return tl::unexpected(drawn.error());
+        Picture out{
+            .radiance = frame::read_radiance(*gl_, frame->sum_framebuffer(shot.samples), shot.size),
+            .aovs = {}};
         for (float& value : out.radiance.as<float>()) value /= static_cast<float>(shot.samples);
-        if (auto drawn = frame->draw_centered_aovs(*gl_, in); !drawn) return tl::unexpected(drawn.error());
+        if (auto drawn = frame->draw_centered_aovs(*gl_, in); !drawn)
+            return tl::unexpected(drawn.error());
         out.aovs = frame->read_aovs(*gl_, shot.samples);
         return out;
     }

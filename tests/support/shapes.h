@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "scene/scene.h"
+
 #include <cmath>
 #include <memory>
-
-#include "scene/scene.h"
 
 namespace facet::test {
 
@@ -29,7 +29,8 @@ inline scene::Mesh sphere(std::uint32_t rings) {
         for (std::uint32_t c = 0; c <= columns; ++c) {
             const float theta = math::pi * static_cast<float>(r) / static_cast<float>(rings);
             const float phi = 2.0F * math::pi * static_cast<float>(c) / static_cast<float>(columns);
-            const math::Vec3 n(std::sin(theta) * std::sin(phi), std::cos(theta), std::sin(theta) * std::cos(phi));
+            const math::Vec3 n(std::sin(theta) * std::sin(phi), std::cos(theta),
+                               std::sin(theta) * std::cos(phi));
             mesh.positions_m.push_back(n);
             mesh.normals.push_back(n);
         }
@@ -48,11 +49,13 @@ inline scene::Scene scene_of(scene::Mesh mesh, const scene::Material& material =
     scene::Scene scene;
     scene.materials.push_back(material);
     scene.meshes.push_back(std::move(mesh));
-    scene.instances.push_back({.mesh = {0}, .world_from_object = math::Mat4(1.0F), .node = "node", .object_id = 1});
+    scene.instances.push_back(
+        {.mesh = {0}, .world_from_object = math::Mat4(1.0F), .node = "node", .object_id = 1});
     return scene;
 }
 
-/// On the z axis, `distance_m` before the origin, looking at it; orthographic with `half_height_m` above 0.
+/// On the z axis, `distance_m` before the origin, looking at it; orthographic with `half_height_m`
+/// above 0.
 inline scene::Camera camera_on_z(float distance_m, float half_height_m) {
     scene::Camera camera;
     camera.world_from_view[3] = math::Vec4(0, 0, distance_m, 1);
@@ -75,7 +78,8 @@ inline scene::Material material(math::Vec3 base_color, float metallic, float rou
 inline std::shared_ptr<const image::Image> constant_environment(math::Vec3 radiance_nit) {
     auto picture = std::make_shared<image::Image>(math::Extent{64, 32}, 3, image::Sample::f32);
     const auto values = picture->as<float>();
-    for (std::size_t i = 0; i < values.size(); ++i) values[i] = radiance_nit[static_cast<int>(i % 3)];
+    for (std::size_t i = 0; i < values.size(); ++i)
+        values[i] = radiance_nit[static_cast<int>(i % 3)];
     return picture;
 }
 

@@ -24,6 +24,8 @@ struct ShadePoint {
 
 // Below this cosine the surface is seen edge on; a shading normal may even turn away.
 const float N_DOT_V_MIN = 1e-3;
+// Perceptual roughness where lights are points: keeps D within half floats. The reference takes 0 as a mirror.
+const float ROUGHNESS_MIN = 0.05;
 // A tile is this many pixels wide and high; frame/lighting/light_lists.h has the same number.
 const uint TILE_PX = 16u;
 
@@ -54,9 +56,8 @@ vec3 lit_by(ShadePoint p, BrdfView brdf, vec3 to_light, vec3 illuminance) {
 
 vec3 shade(ShadePoint p) {
     float n_dot_v = clamp(dot(p.normal, p.to_eye), N_DOT_V_MIN, 1.0);
-    // ROUGHNESS_MIN keeps D within half floats where lights are points (physics: choices, 5).
     BrdfSurface surface = brdf_surface(p.base_color, p.metallic, max(p.roughness, ROUGHNESS_MIN));
-    vec3 albedo = textureLod(albedo_table, albedo_coordinates(n_dot_v, surface.roughness), 0.0).xyz;
+    vec4 albedo = textureLod(albedo_table, albedo_coordinates(n_dot_v, surface.roughness), 0.0);
     BrdfView brdf = brdf_view(surface, n_dot_v, albedo);
 
     vec3 radiance = vec3(0.0);

@@ -40,11 +40,8 @@ BakedEnvironment bake_environment(const image::Image& latlong, float rotation_de
                             .remedy = "lower --env-intensity"});
     const auto levels =
         static_cast<std::uint32_t>(std::countr_zero(out.face_px / last_level_px)) + 1;
-    out.radiance.push_back(std::move(pyramid.level0));
-    for (std::uint32_t level = 1; level < levels; ++level) {
-        const float roughness = static_cast<float>(level) / static_cast<float>(levels - 1);
-        out.radiance.push_back(prefilter(pyramid, out.face_px >> level, roughness, pool));
-    }
+    out.radiance = prefilter(pyramid, levels, pool);
+    out.radiance.insert(out.radiance.begin(), std::move(pyramid.level0));
     return out;
 }
 

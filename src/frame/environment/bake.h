@@ -2,29 +2,32 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <vector>
-
 #include "base/result.h"
 #include "base/thread_pool.h"
 #include "image/image.h"
 #include "math/vector.h"
 
+#include <array>
+#include <cstdint>
+#include <vector>
+
 namespace facet::frame {
 
 /// Level i of `radiance` is prefiltered for roughness i / (levels - 1); 0 is the picture itself.
 struct BakedEnvironment {
-    std::uint32_t face_px = 0;  ///< side of a face of level 0; each level has half the side of the one before
-    /// Half floats [6, side, side, 4] per level, faces in GL's order +x -x +y -y +z -z, rows as GL wants them.
+    std::uint32_t face_px =
+        0;  ///< side of a face of level 0; each level has half the side of the one before
+    /// Half floats [6, side, side, 4] per level, faces in GL's order +x -x +y -y +z -z, rows as GL
+    /// wants them.
     std::vector<std::vector<std::uint16_t>> radiance;
-    /// Irradiance / pi as nine spherical-harmonic coefficients, with the cosine lobe folded in and the basis
-    /// constants too: E(n)/pi = sum of sh[i] * (1, y, z, x, xy, yz, 3z²-1, xz, x²-y²)[i].
+    /// Irradiance / pi as nine spherical-harmonic coefficients, with the cosine lobe folded in and
+    /// the basis constants too: E(n)/pi = sum of sh[i] * (1, y, z, x, xy, yz, 3z²-1, xz, x²-y²)[i].
     std::array<math::Vec3, 9> irradiance_sh{};
 };
 
-/// Bakes `latlong` ([h, w, 3] f32, nit) turned counter-clockwise (seen from above) by `rotation_deg` and
-/// multiplied by `intensity`. Same bytes for any thread count. Adds a warning where half floats overflow.
+/// Bakes `latlong` ([h, w, 3] f32, nit) turned counter-clockwise (seen from above) by
+/// `rotation_deg` and multiplied by `intensity`. Same bytes for any thread count. Adds a warning
+/// where half floats overflow.
 [[nodiscard]] BakedEnvironment bake_environment(const image::Image& latlong, float rotation_deg,
                                                 float intensity, base::ThreadPool& pool,
                                                 base::Warnings& warnings);

@@ -3,30 +3,21 @@
 #include "frame/environment/cube_pyramid.h"
 
 #include "frame/environment/resample.h"
-#include "math/cube_map.h"
 #include "math/half.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace facet::frame {
 namespace {
 
 constexpr std::uint32_t last_mip_px = 4;  // below that a bilinear sample sees half the sphere
 
-float center(std::size_t i, std::uint32_t side) {
-    return (static_cast<float>(i) + 0.5F) / static_cast<float>(side) * 2.0F - 1.0F;
-}
-
-/// Four texels into one, each by the solid angle it covers: (1 + s^2 + t^2)^(-3/2) to a factor.
+/// Four texels into one, each by the solid angle it covers.
 void halve_rows(const Lanes* upper, const Lanes* lower, std::uint32_t side, std::size_t row,
                 Lanes* out) {
     const auto weight = [&](std::size_t x, std::size_t y) {
-        const float s = center(x, side);
-        const float t = center(y, side);
-        const float r2 = 1.0F + s * s + t * t;
-        return 1.0F / (r2 * std::sqrt(r2));
+        return relative_solid_angle(texel_center(x, side), texel_center(y, side));
     };
     for (std::size_t x = 0; x < side; x += 2) {
         const float a = weight(x, row);
@@ -38,53 +29,7 @@ void halve_rows(const Lanes* upper, const Lanes* lower, std::uint32_t side, std:
     }
 }
 
-CubeMip make_mip(std::uint32_t side) {
-    CubeMip mip{.side = side, .texels = {}};
-    mip.texels.resize(6 * mip.stride() * mip.stride());
-    return mip;
-}
-
-/// The texel of another face that touches this face's edge at (row, column), one of them -1 or
-/// `side`.
-Lanes across_edge(CubeMip& mip, std::uint32_t face, std::ptrdiff_t row, std::ptrdiff_t column) {
-    const auto place = [&](std::ptrdiff_t i) {
-        return (static_cast<float>(i) + 0.5F) / static_cast<float>(mip.side) * 2.0F - 1.0F;
-    };
-    const math::CubePoint other = math::cube_point_from(
-        math::direction_from(math::CubePoint{face, place(column), place(row)}));
-    const auto index = [&](float x) {
-        const float i = (x + 1.0F) * 0.5F * static_cast<float>(mip.side);
-        return std::min(static_cast<std::size_t>(std::max(i, 0.0F)), std::size_t{mip.side} - 1);
-    };
-    return mip.at(other.face, index(other.t), index(other.s));
-}
-
-void fill_borders(CubeMip& mip) {
-    const auto side = static_cast<std::ptrdiff_t>(mip.side);
-    const std::size_t stride = mip.stride();
-    for (std::uint32_t face = 0; face < 6; ++face) {
-        Lanes* const texels = mip.texels.data() + face * stride * stride;
-        const auto at = [&](std::ptrdiff_t row, std::ptrdiff_t column) -> Lanes& {
-            return texels[(row + 1) * (side + 2) + column + 1];
-        };
-        for (std::ptrdiff_t i = 0; i < side; ++i) {
-            at(-1, i) = across_edge(mip, face, -1, i);
-            at(side, i) = across_edge(mip, face, side, i);
-            at(i, -1) = across_edge(mip, face, i, -1);
-            at(i, side) = across_edge(mip, face, i, side);
-        }
-        // Three faces meet at a corner: the fourth texel is the mean of their three
-        // (OpenGL 4.5, 8.14).
-        for (const auto& [row, inner_row] :
-             {std::pair{std::ptrdiff_t{-1}, std::ptrdiff_t{0}}, {side, side - 1}})
-            for (const auto& [column, inner] :
-                 {std::pair{std::ptrdiff_t{-1}, std::ptrdiff_t{0}}, {side, side - 1}})
-                at(row, column) = (at(inner_row, column) + at(row, inner) + at(inner_row, inner)) *
-                                  lanes_of(1.0F / 3.0F);
-    }
-}
-
-CubeMip halved(CubeMip& finer) {
+CubeMip halved(const CubeMip& finer) {
     CubeMip mip = make_mip(finer.side / 2);
     for (std::uint32_t face = 0; face < 6; ++face)
         for (std::size_t row = 0; row < mip.side; ++row)

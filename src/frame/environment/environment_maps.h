@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
-
 #include "frame/environment/bake.h"
 #include "gl/objects.h"
 #include "scene/environment.h"
+
+#include <array>
 
 namespace facet::frame {
 
@@ -18,12 +18,13 @@ struct EnvironmentMaps {
     gl::Sampler latlong_sampler;
     gl::Sampler table_sampler;
     float last_level = 0.0F;
-    /// The lat-long picture is shown as it is: these turn and scale it as the bake has turned the cube.
+    /// The lat-long picture is shown as it is: these turn and scale it as the bake has turned the
+    /// cube.
     float background_cos = 1.0F;
     float background_sin = 0.0F;
     float background_intensity = 1.0F;
     std::array<math::Vec3, 9> irradiance_sh{};
-    bool is_black = false;      ///< nothing to light with: its code is left out
+    bool is_black = false;  ///< nothing to light with: its code is left out
 };
 
 struct EnvironmentSettings {
@@ -33,12 +34,9 @@ struct EnvironmentSettings {
 };
 
 /// Bakes and uploads. `table`: RGBA f32 [size, size, 4].
-[[nodiscard]] base::Result<EnvironmentMaps> upload_environment(const gl::Context& gl,
-                                                               const scene::Environment& environment,
-                                                               const EnvironmentSettings& settings,
-                                                               std::span<const float> table,
-                                                               std::uint32_t table_size,
-                                                               base::ThreadPool& pool,
-                                                               base::Warnings& warnings);
+[[nodiscard]] base::Result<EnvironmentMaps> upload_environment(
+    const gl::Context& gl, const scene::Environment& environment,
+    const EnvironmentSettings& settings, std::span<const float> table, std::uint32_t table_size,
+    base::ThreadPool& pool, base::Warnings& warnings);
 
 }  // namespace facet::frame

@@ -50,35 +50,36 @@ AzimuthMoments moments_of(const Lanes* row, const Azimuths& azimuths) {
     return out;
 }
 
-/// Averages `row` over a window of `columns` (>= 1, not whole in general), around the seam too.
+/// Averages `row` over a window of `columns` (at least 1 and at most the width), around the seam
+/// too.
 void blur_row(Lanes* row, std::size_t width, double columns) {
     // Differences of running sums; in double, because a sun stands in the same sum as the sky
-    // beside it.
-    std::vector<double> running(width + 1, 0.0);
+    // beside it. The window starts `reach` + a part of a pixel before the middle of each pixel.
     const double half = columns / 2.0;
+    const auto reach = static_cast<std::size_t>(std::ceil(half - 0.5));
+    const double part =
+        static_cast<double>(reach) + 0.5 - half;  // of the first and last pixel, left out
+    std::vector<double> running(width + 2 * reach + 2);
     for (std::size_t lane = 0; lane < 3; ++lane) {
-        for (std::size_t x = 0; x < width; ++x)
-            running[x + 1] = running[x] + static_cast<double>(row[x][lane]);
-        const double turn = running[width];
-        const auto total_to = [&](double x) {  // integral from 0 to x, x in [-width, 2 width]
-            const double turns = std::floor(x / static_cast<double>(width));
-            const double within = x - turns * static_cast<double>(width);
-            const auto i = std::min(static_cast<std::size_t>(within), width - 1);
-            const double part = within - static_cast<double>(i);
-            return turns * turn + running[i] + part * (running[i + 1] - running[i]);
-        };
-        for (std::size_t x = 0; x < width; ++x) {
-            const double middle = static_cast<double>(x) + 0.5;
-            const double sum = total_to(middle + half) - total_to(middle - half);
-            row[x][lane] = static_cast<float>(std::max(sum / columns, 0.0));
+        double sum = 0.0;
+        for (std::size_t i = 0; i < width + 2 * reach + 1; ++i) {
+            running[i] = sum;
+            sum += static_cast<double>(row[(i + width - reach) % width][lane]);
         }
+        running.back() = sum;
+        const auto at = [&](std::size_t i, double fraction) {
+            return running[i] + fraction * (running[i + 1] - running[i]);
+        };
+        for (std::size_t x = 0; x < width; ++x)
+            row[x][lane] = static_cast<float>(
+                std::max((at(x + 2 * reach, 1.0 - part) - at(x, part)) / columns, 0.0));
     }
 }
 
 /// Rows beyond the poles: the way goes on over the pole and down the other side.
 void pad(Panorama& panorama) {
     const std::size_t width = panorama.width;
-    Lanes* first = panorama.pixels.data();
+    Lanes* first = panorama.pixels.get();
     Lanes* last = first + (panorama.height + 1) * panorama.stride;
     for (std::size_t x = 0; x < width; ++x) {
         const std::size_t opposite = (x + width / 2) % width;
@@ -98,20 +99,21 @@ Panorama make_panorama(const image::Image& latlong, float intensity, base::Threa
     Panorama out{.width = latlong.size.width,
                  .height = latlong.size.height,
                  .stride = std::size_t{latlong.size.width} + 2,
-                 .pixels = {},
+                 .pixels = nullptr,
                  .moments = {}};
-    out.pixels.resize(out.stride * (std::size_t{out.height} + 2));
+    // Not zeroed: the rows are first touched by the threads that fill them.
+    out.pixels.reset(new Lanes[out.stride * (std::size_t{out.height} + 2)]);
     out.moments.resize(out.height);
     const Azimuths azimuths = azimuths_of(out.width);
     const auto source = latlong.as<float>();
     pool.parallel_for(out.height, [&](std::size_t y) {
-        Lanes* row = out.pixels.data() + (y + 1) * out.stride;
+        Lanes* row = out.pixels.get() + (y + 1) * out.stride;
         read_row(source.subspan(y * out.width * 3, std::size_t{out.width} * 3), intensity, row);
         out.moments[y] = moments_of(row, azimuths);
         const double sine =
             std::sin((static_cast<double>(y) + 0.5) / out.height * 3.14159265358979323846);
         const double columns = std::min(out.width / (2.0 * out.height * sine), 1.0 * out.width);
-        constexpr double negligible_columns = 1.5;  // less than the bilinear filter's own width
+        constexpr double negligible_columns = 2.0;  // less than the bilinear filter's own width
         if (columns > negligible_columns) blur_row(row, out.width, columns);
     });
     pad(out);

@@ -10,12 +10,13 @@
 
 namespace facet::frame {
 
-/// Halves [6, side, side, 4] of the environment filtered for `roughness` in (0, 1], with n = v = l:
-///   sum L(l) (n.l) / sum (n.l), l drawn by D(h) (n.h) / (4 v.h)      Karis 2013, Eq. 7 and its
-///   listing
-/// and every look-up in the mip whose texels are as large as the share of the sphere that the
-/// sample stands for: Krivanek & Colbert 2008, Eq. 13.
-[[nodiscard]] std::vector<std::uint16_t> prefilter(const CubePyramid& pyramid, std::uint32_t side,
-                                                   float roughness, base::ThreadPool& pool);
+/// Levels 1 to `levels` - 1 as halves [6, side, side, 4], level i for roughness i / (levels - 1)
+/// and of the side face >> i:  integral L(l) D(h) (n.l) dl / integral D(h) (n.l) dl, n = v = l.
+/// Karis 2013 Wide lobes are summed over every texel of a small mip. Narrow ones are mixtures of
+/// Gaussians and of the wide ones: random samples of a lobe miss a sun or show it as dots, and cost
+/// ten times as much.
+[[nodiscard]] std::vector<std::vector<std::uint16_t>> prefilter(const CubePyramid& pyramid,
+                                                                std::uint32_t levels,
+                                                                base::ThreadPool& pool);
 
 }  // namespace facet::frame

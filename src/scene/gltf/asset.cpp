@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "scene/gltf/asset.h"
 
-#include <spdlog/fmt/fmt.h>
-
 #include "scene/gltf/glb.h"
 #include "scene/gltf/uri.h"
+
+#include <spdlog/fmt/fmt.h>
 
 namespace facet::scene::gltf {
 namespace {
@@ -88,7 +88,8 @@ base::Result<base::Bytes> read_uri(Asset& asset, const std::string& uri, std::si
                            .what = "relative URI, but there is no folder to look in",
                            .found = uri,
                            .remedy = "give --base DIR"});
-    auto bytes = base::read_file_beneath(*asset.origin.folder, *path, asset.origin.allowed_folders, max_bytes);
+    auto bytes = base::read_file_beneath(*asset.origin.folder, *path, asset.origin.allowed_folders,
+                                         max_bytes);
     if (bytes) asset.reads.push_back(*asset.origin.folder / *path);
     return bytes;
 }

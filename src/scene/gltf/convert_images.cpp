@@ -1,10 +1,10 @@
 // Images: fetched, measured before they are decoded, decoded on all cores.
 // SPDX-License-Identifier: MIT
-#include <spdlog/fmt/fmt.h>
-
 #include "image/read.h"
 #include "scene/gltf/import.h"
 #include "scene/gltf/uri.h"
+
+#include <spdlog/fmt/fmt.h>
 
 namespace facet::scene::gltf {
 namespace {
@@ -20,15 +20,18 @@ struct Flight {
     base::Warnings warnings;
 };
 
-base::Result<std::span<const std::byte>> fetch(Import& import, std::uint32_t index, base::Bytes& owned) {
+base::Result<std::span<const std::byte>> fetch(Import& import, std::uint32_t index,
+                                               base::Bytes& owned) {
     const Json& json = *element_at(import.asset.json, "images", index);
     if (const auto view = index_at(json, "bufferView")) {
         if (*view < import.asset.views.size() && import.asset.views[*view].is_sound)
             return import.asset.views[*view].bytes;
-        return base::fail({.code = ErrorCode::input_invalid, .what = "image's buffer view has no bytes"});
+        return base::fail(
+            {.code = ErrorCode::input_invalid, .what = "image's buffer view has no bytes"});
     }
     const std::string uri = string_at(json, "uri");
-    if (uri.empty()) return base::fail({.code = ErrorCode::input_invalid, .what = "image has no source"});
+    if (uri.empty())
+        return base::fail({.code = ErrorCode::input_invalid, .what = "image has no source"});
     auto bytes = read_uri(import.asset, uri, import.asset.memory_left);
     if (!bytes) return tl::unexpected(bytes.error());
     owned = std::move(*bytes);
@@ -44,7 +47,8 @@ base::Status measure(Import& import, const Flight& flight) {
     return import.take_memory(needed, flight.where);
 }
 
-/// A texture that is not to be had is white and a warning; a limit, a forbidden path and --strict are errors.
+/// A texture that is not to be had is white and a warning; a limit, a forbidden path and --strict
+/// are errors.
 base::Status settle(Import& import, const std::string& where, base::Error error) {
     const bool is_forbidden = error.what == "outside the model's folder";
     if (error.code == ErrorCode::limit_reached || import.options.strict || is_forbidden) {
@@ -72,19 +76,18 @@ base::Status prepare(Import& import, std::size_t id, Flight& flight) {
 void decode_all(Import& import, std::vector<Flight>& flights) {
     import.pool.parallel_for(flights.size(), [&](std::size_t i) {
         Flight& flight = flights[i];
-        if (flight.bytes.empty()) return;
-        try {  // tasks must not throw
-            flight.pixels = image::decode(flight.bytes, import.limits, flight.warnings);
-        } catch (const std::exception& fault) {
-            flight.pixels = base::fail({.code = ErrorCode::input_invalid,
-                                        .what = "cannot be decoded",
-                                        .found = fault.what()});
-        }
-        flight.owned = {};
-    });
-}
-
+    if (flight.bytes.empty()) return;
+    try {  // tasks must not throw
+        flight.pixels = image::decode(flight.bytes, import.limits, flight.warnings);
+    } catch (const std::exception& fault) {
+        flight.pixels = base::fail(
+            {.code = ErrorCode::input_invalid, .what = "cannot be decoded", .found = fault.what()});
+    }
+    flight.owned = {};
+});
 }  // namespace
+
+}  // namespace facet::scene::gltf
 
 ImageId use_image(Import& import, std::uint32_t index) {
     const Json& json = *element_at(import.asset.json, "images", index);
@@ -96,8 +99,10 @@ ImageId use_image(Import& import, std::uint32_t index) {
     const auto [slot, is_new] = import.images_by_key.emplace(key, next);
     if (!is_new) return slot->second;
     const std::string name = string_at(json, "name");
-    import.scene.images.push_back(
-        {.name = is_file ? uri : !name.empty() ? name : fmt::format("image {}", index), .pixels = nullptr});
+    import.scene.images.push_back({.name = is_file         ? uri
+                                           : !name.empty() ? name
+                                                           : fmt::format("image {}", index),
+                                   .pixels = nullptr});
     import.image_sources.push_back(index);
     return next;
 }
@@ -117,7 +122,8 @@ base::Status load_images(Import& import) {
         if (flights[i].pixels) {
             import.scene.images[i].pixels =
                 std::make_shared<const image::Image>(std::move(*flights[i].pixels));
-        } else if (auto settled = settle(import, flights[i].where, flights[i].pixels.error()); !settled) {
+        } else if (auto settled = settle(import, flights[i].where, flights[i].pixels.error());
+                   !settled) {
             return settled;
         }
     }

@@ -1,12 +1,12 @@
 // Materials: factors, textures, and the extensions that this renderer knows.
 // SPDX-License-Identifier: MIT
-#include <algorithm>
-#include <cmath>
+#include "scene/gltf/import.h"
+#include "scene/gltf/specular_glossiness.h"
 
 #include <spdlog/fmt/fmt.h>
 
-#include "scene/gltf/import.h"
-#include "scene/gltf/specular_glossiness.h"
+#include <algorithm>
+#include <cmath>
 
 namespace facet::scene::gltf {
 namespace {
@@ -17,10 +17,12 @@ using tables::TextureSlot;
 float in_range(Import& import, const std::string& where, std::string_view key, double value) {
     for (const tables::MaterialParam& param : tables::material_params) {
         if (param.key != key) continue;
-        const double held = std::clamp(std::isfinite(value) ? value : param.range.low, param.range.low, param.range.high);
+        const double held = std::clamp(std::isfinite(value) ? value : param.range.low,
+                                       param.range.low, param.range.high);
         if (held != value)
-            import.warn(where + std::string(param.gltf), "out of range, clamped",
-                        fmt::format("{}, range {} to {}", value, param.range.low, param.range.high));
+            import.warn(
+                where + std::string(param.gltf), "out of range, clamped",
+                fmt::format("{}, range {} to {}", value, param.range.low, param.range.high));
         return static_cast<float>(held);
     }
     return static_cast<float>(value);
@@ -29,7 +31,8 @@ float in_range(Import& import, const std::string& where, std::string_view key, d
 math::Vec3 color_in_range(Import& import, const std::string& where, std::string_view key,
                           const std::vector<double>& values) {
     math::Vec3 out(0.0F);
-    for (int i = 0; i < 3; ++i) out[i] = in_range(import, where, key, values[static_cast<std::size_t>(i)]);
+    for (int i = 0; i < 3; ++i)
+        out[i] = in_range(import, where, key, values[static_cast<std::size_t>(i)]);
     return out;
 }
 
@@ -39,7 +42,8 @@ Wrap wrap_of(int mode) {
     return Wrap::repeat;
 }
 
-/// The image a texture shows: WebP where offered, else the plain source. Nothing where neither can be used.
+/// The image a texture shows: WebP where offered, else the plain source. Nothing where neither can
+/// be used.
 std::optional<std::uint32_t> image_of(Import& import, std::size_t texture_index) {
     const Json& json = *element_at(import.asset.json, "textures", texture_index);
     const std::size_t image_count = count_at(import.asset.json, "images");
@@ -54,8 +58,8 @@ std::optional<std::uint32_t> image_of(Import& import, std::size_t texture_index)
     return std::nullopt;
 }
 
-/// KHR_texture_transform: uv' = T R S uv. The rotation is counter-clockwise as the image is seen, and v points
-/// down, hence the sign of the sines.
+/// KHR_texture_transform: uv' = T R S uv. The rotation is counter-clockwise as the image is seen,
+/// and v points down, hence the sign of the sines.
 void apply_transform(const Json& transform, Texture& texture) {
     const auto pair = [&](const char* key, math::Vec2 otherwise) {
         const Json* const values = find(transform, key);
@@ -89,8 +93,10 @@ std::optional<Texture> convert_texture(Import& import, const Json& json, const s
         return std::nullopt;
     }
     const int sampler_index = import.model.textures[*index].sampler;
-    if (sampler_index >= 0 && static_cast<std::size_t>(sampler_index) < import.model.samplers.size()) {
-        const tinygltf::Sampler& sampler = import.model.samplers[static_cast<std::size_t>(sampler_index)];
+    if (sampler_index >= 0 &&
+        static_cast<std::size_t>(sampler_index) < import.model.samplers.size()) {
+        const tinygltf::Sampler& sampler =
+            import.model.samplers[static_cast<std::size_t>(sampler_index)];
         texture.wrap_u = wrap_of(sampler.wrapS);
         texture.wrap_v = wrap_of(sampler.wrapT);
         texture.nearest = sampler.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST;
@@ -98,23 +104,27 @@ std::optional<Texture> convert_texture(Import& import, const Json& json, const s
     return texture;
 }
 
-void convert_textures(Import& import, const Json& json, const std::string& where, Material& material) {
+void convert_textures(Import& import, const Json& json, const std::string& where,
+                      Material& material) {
     for (std::size_t slot = 0; slot < tables::material_textures.size(); ++slot) {
         const std::string_view path = tables::material_textures[slot].gltf;
         const Json* const texture_info = find_path(json, path.substr(1));
         if (texture_info != nullptr)
-            material.textures[slot] = convert_texture(import, *texture_info, where + std::string(path));
+            material.textures[slot] =
+                convert_texture(import, *texture_info, where + std::string(path));
     }
 }
 
-void convert_alpha(Import& import, const tinygltf::Material& from, const std::string& where, Material& to) {
+void convert_alpha(Import& import, const tinygltf::Material& from, const std::string& where,
+                   Material& to) {
     to.double_sided = from.doubleSided;
     if (from.alphaMode == "MASK") to.alpha_mode = AlphaMode::mask;
     if (from.alphaMode == "BLEND") to.alpha_mode = AlphaMode::blend;
     to.values.alpha_cutoff = in_range(import, where, "alpha_cutoff", from.alphaCutoff);
 }
 
-void convert_factors(Import& import, const tinygltf::Material& from, const std::string& where, Material& to) {
+void convert_factors(Import& import, const tinygltf::Material& from, const std::string& where,
+                     Material& to) {
     const tinygltf::PbrMetallicRoughness& pbr = from.pbrMetallicRoughness;
     tables::MaterialValues& values = to.values;
     values.base_color = color_in_range(import, where, "base_color", pbr.baseColorFactor);
@@ -126,10 +136,12 @@ void convert_factors(Import& import, const tinygltf::Material& from, const std::
     values.emissive = color_in_range(import, where, "emissive", from.emissiveFactor);
 }
 
-void convert_extensions(Import& import, const Json& extensions, const std::string& where, Material& to) {
+void convert_extensions(Import& import, const Json& extensions, const std::string& where,
+                        Material& to) {
     if (const Json* const strength = find(extensions, "KHR_materials_emissive_strength"))
-        to.values.emissive_strength = in_range(import, where, "emissive_strength",
-                                               number_at(*strength, "emissiveStrength").value_or(1.0));
+        to.values.emissive_strength =
+            in_range(import, where, "emissive_strength",
+                     number_at(*strength, "emissiveStrength").value_or(1.0));
     to.unlit = find(extensions, "KHR_materials_unlit") != nullptr;
     const Json* const glossiness = find(extensions, "KHR_materials_pbrSpecularGlossiness");
     if (glossiness == nullptr) return;
@@ -144,7 +156,8 @@ void convert_extensions(Import& import, const Json& extensions, const std::strin
     if (const Json* const diffuse = find(*glossiness, "diffuseTexture"))
         base = convert_texture(import, *diffuse, at + "/diffuseTexture");
     if (find(*glossiness, "specularGlossinessTexture") != nullptr)
-        import.warn(at + "/specularGlossinessTexture", "texture is ignored: only its factors are converted");
+        import.warn(at + "/specularGlossinessTexture",
+                    "texture is ignored: only its factors are converted");
 }
 
 Material convert_material(Import& import, std::size_t index) {
@@ -174,7 +187,8 @@ void convert_materials(Import& import) {
 
 MaterialId default_material(Import& import) {
     if (!import.default_material) {
-        import.default_material = MaterialId{static_cast<std::uint32_t>(import.scene.materials.size())};
+        import.default_material =
+            MaterialId{static_cast<std::uint32_t>(import.scene.materials.size())};
         import.scene.materials.push_back({.name = "default"});
     }
     return *import.default_material;

@@ -1,15 +1,15 @@
 // Nodes: which scene is shown, and the meshes placed by its nodes.
 // SPDX-License-Identifier: MIT
-#include <cmath>
-#include <map>
-
-#include <spdlog/fmt/fmt.h>
-
 #include "scene/gltf/elements.h"
 #include "scene/gltf/instancing.h"
 #include "scene/gltf/mesh.h"
 #include "scene/gltf/placed.h"
 #include "scene/gltf/transforms.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <cmath>
+#include <map>
 
 namespace facet::scene::gltf {
 namespace {
@@ -36,21 +36,24 @@ base::Result<std::vector<int>> choose_roots(Import& import) {
     if (import.options.scene_index) {
         index = *import.options.scene_index;
         if (index >= model.scenes.size())
-            return base::fail({.code = ErrorCode::usage,
-                               .where = "/scenes",
-                               .what = "no such scene",
-                               .found = fmt::format("{}, but there are {}", index, model.scenes.size())});
+            return base::fail(
+                {.code = ErrorCode::usage,
+                 .where = "/scenes",
+                 .what = "no such scene",
+                 .found = fmt::format("{}, but there are {}", index, model.scenes.size())});
     } else if (model.defaultScene >= 0) {
         index = static_cast<std::size_t>(model.defaultScene);
     } else if (model.scenes.size() > 1) {
-        import.warn("/scene", "no default scene, the first is shown", fmt::format("{} scenes", model.scenes.size()));
+        import.warn("/scene", "no default scene, the first is shown",
+                    fmt::format("{} scenes", model.scenes.size()));
     }
     import.scene.name = model.scenes[index].name;
     return model.scenes[index].nodes;
 }
 
 /// world_from_bind of every joint of a skin, from the nodes as they stand.
-std::vector<Mat4> joint_matrices(const Import& import, const Transforms& transforms, std::size_t skin_index) {
+std::vector<Mat4> joint_matrices(const Import& import, const Transforms& transforms,
+                                 std::size_t skin_index) {
     const Json& skin = *element_at(import.asset.json, "skins", skin_index);
     std::vector<Mat4> joints;
     for (const Json& joint : *find(skin, "joints"))
@@ -59,15 +62,18 @@ std::vector<Mat4> joint_matrices(const Import& import, const Transforms& transfo
     if (!bind_index || !import.asset.accessors[*bind_index].is_sound) return joints;
     const Accessor& accessor = import.asset.accessors[*bind_index];
     const std::vector<float> floats = read_floats(accessor);
-    for (std::size_t j = 0; j < joints.size() && j < accessor.count && accessor.components == 16; ++j) {
+    for (std::size_t j = 0; j < joints.size() && j < accessor.count && accessor.components == 16;
+         ++j) {
         Mat4 bind;
-        for (std::size_t i = 0; i < 16; ++i) bind[static_cast<int>(i / 4)][static_cast<int>(i % 4)] = floats[j * 16 + i];
+        for (std::size_t i = 0; i < 16; ++i)
+            bind[static_cast<int>(i / 4)][static_cast<int>(i % 4)] = floats[j * 16 + i];
         joints[j] = joints[j] * bind;
     }
     return joints;
 }
 
-base::Result<std::vector<MeshId>> build_meshes(Import& import, std::size_t mesh_index, const Pose& pose) {
+base::Result<std::vector<MeshId>> build_meshes(Import& import, std::size_t mesh_index,
+                                               const Pose& pose) {
     std::vector<MeshId> ids;
     for (std::size_t p = 0; p < import.model.meshes[mesh_index].primitives.size(); ++p) {
         auto mesh = build_mesh(import, mesh_index, p, pose);
@@ -85,7 +91,8 @@ struct Placement {
     Mat4 world_from_object{1.0F};
 };
 
-base::Status place_mesh(Import& import, const Placement& placement, Pose pose, bool is_shared, Cache& cache) {
+base::Status place_mesh(Import& import, const Placement& placement, Pose pose, bool is_shared,
+                        Cache& cache) {
     const tinygltf::Node& node = import.model.nodes[placement.node];
     const float determinant = glm::determinant(Mat3(placement.world_from_object));
     if (determinant == 0.0F || !std::isfinite(determinant)) {
@@ -113,15 +120,19 @@ base::Status place_mesh(Import& import, const Placement& placement, Pose pose, b
     return {};
 }
 
-base::Status convert_mesh_node(Import& import, const Transforms& transforms, std::uint32_t index, Cache& cache) {
+base::Status convert_mesh_node(Import& import, const Transforms& transforms, std::uint32_t index,
+                               Cache& cache) {
     const tinygltf::Node& node = import.model.nodes[index];
     Pose pose;
     const bool has_weights = !node.weights.empty();
-    pose.morph_weights = has_weights ? node.weights : import.model.meshes[static_cast<std::size_t>(node.mesh)].weights;
+    pose.morph_weights = has_weights
+                             ? node.weights
+                             : import.model.meshes[static_cast<std::size_t>(node.mesh)].weights;
     Placement placement{.node = index, .world_from_object = transforms.world_from_node[index]};
     const bool is_skinned = node.skin >= 0;
     if (is_skinned) {
-        // A skinned mesh stands where its joints are; its own node's place is ignored (glTF 2.0, section 3.7.3.3).
+        // A skinned mesh stands where its joints are; its own node's place is ignored (glTF 2.0,
+        // section 3.7.3.3).
         pose.joints = joint_matrices(import, transforms, static_cast<std::size_t>(node.skin));
         placement.world_from_object = Mat4(1.0F);
     }
@@ -130,7 +141,8 @@ base::Status convert_mesh_node(Import& import, const Transforms& transforms, std
     if (!copies) return base::fail(copies.error());
     if (copies->empty()) return place_mesh(import, placement, pose, is_shared, cache);
     for (const Mat4& node_from_copy : *copies) {
-        const Placement copy{.node = index, .world_from_object = placement.world_from_object * node_from_copy};
+        const Placement copy{.node = index,
+                             .world_from_object = placement.world_from_object * node_from_copy};
         if (auto placed = place_mesh(import, copy, pose, is_shared, cache); !placed) return placed;
     }
     return {};
@@ -148,7 +160,8 @@ base::Status convert_nodes(Import& import) {
         const tinygltf::Node& node = import.model.nodes[index];
         const Mat4& world_from_node = transforms->world_from_node[index];
         if (node.mesh >= 0)
-            if (auto placed = convert_mesh_node(import, *transforms, index, cache); !placed) return placed;
+            if (auto placed = convert_mesh_node(import, *transforms, index, cache); !placed)
+                return placed;
         if (node.camera >= 0) place_camera(import, index, world_from_node);
         place_light(import, index, world_from_node);
     }
@@ -156,7 +169,8 @@ base::Status convert_nodes(Import& import) {
         return base::fail({.code = ErrorCode::limit_reached,
                            .where = "/extensions/KHR_lights_punctual/lights",
                            .what = "too many lights",
-                           .found = fmt::format("{}, limit {}", import.scene.lights.size(), import.limits.lights)});
+                           .found = fmt::format("{}, limit {}", import.scene.lights.size(),
+                                                import.limits.lights)});
     if (import.scene.instances.empty()) import.warn("/scenes", "the scene has nothing to draw");
     return {};
 }

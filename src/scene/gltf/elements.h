@@ -1,17 +1,19 @@
-// Elements of a sound accessor as floats or indices: strides, normalisation and sparse values undone.
-// SPDX-License-Identifier: MIT
+// Elements of a sound accessor as floats or indices: strides, normalisation and sparse values
+// undone. SPDX-License-Identifier: MIT
 #pragma once
+
+#include "scene/gltf/asset.h"
 
 #include <cstdint>
 #include <vector>
 
-#include "scene/gltf/asset.h"
-
 namespace facet::scene::gltf {
 
-/// [count, components] floats; normalised integers become [0, 1] or [-1, 1], others keep their value (glTF 2.0,
-/// section 3.6.2.2). Matrices by columns. Precondition: is_sound.
+/// [count, components] floats; normalised integers become [0, 1] or [-1, 1], others keep their
+/// value (glTF 2.0, section 3.6.2.2). Matrices by columns. Precondition: is_sound.
 [[nodiscard]] std::vector<float> read_floats(const Accessor& accessor);
+/// [count, components] numbers as they are stored, not normalised. Precondition: is_sound.
+[[nodiscard]] std::vector<double> read_raw(const Accessor& accessor);
 /// [count * components] whole numbers. Precondition: is_sound, an unsigned component type.
 [[nodiscard]] std::vector<std::uint32_t> read_unsigned(const Accessor& accessor);
 

@@ -9,8 +9,9 @@ namespace facet::scene::gltf {
 namespace {
 
 constexpr auto implemented = std::to_array<std::string_view>(
-    {"EXT_mesh_gpu_instancing", "EXT_texture_webp", "KHR_lights_punctual", "KHR_materials_emissive_strength",
-     "KHR_materials_pbrSpecularGlossiness", "KHR_materials_unlit", "KHR_materials_variants", "KHR_mesh_quantization",
+    {"EXT_mesh_gpu_instancing", "EXT_texture_webp", "KHR_lights_punctual",
+     "KHR_materials_emissive_strength", "KHR_materials_pbrSpecularGlossiness",
+     "KHR_materials_unlit", "KHR_materials_variants", "KHR_mesh_quantization",
      "KHR_node_visibility", "KHR_texture_transform"});
 
 struct Loss {
@@ -57,12 +58,14 @@ std::string_view loss_without(std::string_view extension) {
     return "what it describes";
 }
 
-base::Status check_implemented(const Json& json, const LoadOptions& options, base::Warnings& warnings) {
+base::Status check_implemented(const Json& json, const LoadOptions& options,
+                               base::Warnings& warnings) {
     const auto& ignored = options.ignored_required;
     for (std::size_t i = 0; i < count_at(json, "extensionsRequired"); ++i) {
         const Json& name = *element_at(json, "extensionsRequired", i);
         if (!name.is_string() || is_implemented(name.get<std::string>())) continue;
-        const bool is_ignored = std::find(ignored.begin(), ignored.end(), name.get<std::string>()) != ignored.end();
+        const bool is_ignored =
+            std::find(ignored.begin(), ignored.end(), name.get<std::string>()) != ignored.end();
         if (!is_ignored) return base::fail(missing(name.get<std::string>()));
     }
     for (std::size_t i = 0; i < count_at(json, "extensionsUsed"); ++i) {

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "scene/gltf/json.h"
+#include "scene/gltf/problems.h"
+#include "scene/load.h"
+
 #include <optional>
 #include <string_view>
-
-#include "scene/gltf/problems.h"
-#include "scene/gltf/json.h"
-#include "scene/load.h"
 
 namespace facet::scene::gltf {
 
@@ -16,8 +16,8 @@ namespace facet::scene::gltf {
 /// What is missing in the picture where `extension` is not implemented.
 [[nodiscard]] std::string_view loss_without(std::string_view extension);
 
-/// Errors: feature_missing for the first required extension that is neither implemented nor ignored by
-/// `options`. Adds a warning for each one used and not implemented.
+/// Errors: feature_missing for the first required extension that is neither implemented nor ignored
+/// by `options`. Adds a warning for each one used and not implemented.
 [[nodiscard]] base::Status check_implemented(const Json& json, const LoadOptions& options,
                                              base::Warnings& warnings);
 

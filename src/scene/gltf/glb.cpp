@@ -1,16 +1,16 @@
-// The GLB container: a 12-byte header, then chunks of {length, type, bytes} (glTF 2.0, section 4.4).
-// SPDX-License-Identifier: MIT
+// The GLB container: a 12-byte header, then chunks of {length, type, bytes} (glTF 2.0,
+// section 4.4). SPDX-License-Identifier: MIT
 #include "scene/gltf/glb.h"
+
+#include <spdlog/fmt/fmt.h>
 
 #include <cstdint>
 #include <string>
 
-#include <spdlog/fmt/fmt.h>
-
 namespace facet::scene::gltf {
 namespace {
 
-constexpr std::uint32_t magic = 0x46546C67;     // "glTF"
+constexpr std::uint32_t magic = 0x46546C67;      // "glTF"
 constexpr std::uint32_t json_type = 0x4E4F534A;  // "JSON"
 constexpr std::uint32_t bin_type = 0x004E4942;   // "BIN\0"
 constexpr std::size_t header_bytes = 12;
@@ -18,7 +18,8 @@ constexpr std::size_t chunk_header_bytes = 8;
 
 std::uint32_t read_u32(std::span<const std::byte> file, std::size_t at) {
     std::uint32_t value = 0;
-    for (std::size_t i = 0; i < 4; ++i) value |= std::to_integer<std::uint32_t>(file[at + i]) << (8 * i);
+    for (std::size_t i = 0; i < 4; ++i)
+        value |= std::to_integer<std::uint32_t>(file[at + i]) << (8 * i);
     return value;
 }
 
@@ -27,12 +28,13 @@ std::string offset_text(std::size_t at) { return fmt::format("@{:#x}", at); }
 /// The length that chunks may use: the header's, but never more than the file has.
 std::optional<std::size_t> read_header(std::span<const std::byte> file, Problems& problems) {
     if (file.size() < header_bytes) {
-        problems.error("GLB_UNEXPECTED_END_OF_HEADER", offset_text(file.size()), "GLB header is cut off",
-                       fmt::format("{} bytes of 12", file.size()));
+        problems.error("GLB_UNEXPECTED_END_OF_HEADER", offset_text(file.size()),
+                       "GLB header is cut off", fmt::format("{} bytes of 12", file.size()));
         return std::nullopt;
     }
     if (read_u32(file, 0) != magic) {
-        problems.error("GLB_INVALID_MAGIC", "@0x0", "not a GLB", fmt::format("{:#x}", read_u32(file, 0)));
+        problems.error("GLB_INVALID_MAGIC", "@0x0", "not a GLB",
+                       fmt::format("{:#x}", read_u32(file, 0)));
         return std::nullopt;
     }
     const std::uint32_t version = read_u32(file, 4);
@@ -46,15 +48,18 @@ std::optional<std::size_t> read_header(std::span<const std::byte> file, Problems
     }
     const std::size_t length = read_u32(file, 8);
     if (length <= header_bytes) {
-        problems.error("GLB_LENGTH_TOO_SMALL", "@0x8", "GLB length field is too small", std::to_string(length));
+        problems.error("GLB_LENGTH_TOO_SMALL", "@0x8", "GLB length field is too small",
+                       std::to_string(length));
         return std::nullopt;
     }
     if (length > file.size())
-        problems.error("GLB_LENGTH_MISMATCH", "@0x8", "GLB length field differs from the file's size",
+        problems.error("GLB_LENGTH_MISMATCH", "@0x8",
+                       "GLB length field differs from the file's size",
                        fmt::format("{}, but there are {}", length, file.size()));
     if (length < file.size())
         problems.note(Severity::warning, "GLB_EXTRA_DATA", offset_text(length),
-                      "bytes after the GLB's end are ignored", std::to_string(file.size() - length));
+                      "bytes after the GLB's end are ignored",
+                      std::to_string(file.size() - length));
     return std::min(length, file.size());
 }
 
@@ -65,16 +70,18 @@ struct Chunk {
 };
 
 /// Next chunk at `at`; nothing at the end or where it does not fit.
-std::optional<Chunk> read_chunk(std::span<const std::byte> file, std::size_t at, Problems& problems) {
+std::optional<Chunk> read_chunk(std::span<const std::byte> file, std::size_t at,
+                                Problems& problems) {
     if (file.size() - at < chunk_header_bytes) {
-        problems.error("GLB_UNEXPECTED_END_OF_CHUNK_HEADER", offset_text(at), "GLB chunk header is cut off");
+        problems.error("GLB_UNEXPECTED_END_OF_CHUNK_HEADER", offset_text(at),
+                       "GLB chunk header is cut off");
         return std::nullopt;
     }
     const std::size_t length = read_u32(file, at);
     Chunk chunk{.at = at, .type = read_u32(file, at + 4), .bytes = {}};
     if (length % 4 != 0)
-        problems.error("GLB_CHUNK_LENGTH_UNALIGNED", offset_text(at), "GLB chunk length is not a multiple of 4",
-                       std::to_string(length));
+        problems.error("GLB_CHUNK_LENGTH_UNALIGNED", offset_text(at),
+                       "GLB chunk length is not a multiple of 4", std::to_string(length));
     const std::size_t left = file.size() - at - chunk_header_bytes;
     if (length > left) {
         problems.error("GLB_CHUNK_TOO_BIG", offset_text(at), "GLB chunk leaves the file",
@@ -86,7 +93,8 @@ std::optional<Chunk> read_chunk(std::span<const std::byte> file, std::size_t at,
 }
 
 /// Takes one chunk into `chunks`; false where the walk must end.
-bool take_chunk(const Chunk& chunk, bool is_first, std::optional<GlbChunks>& chunks, Problems& problems) {
+bool take_chunk(const Chunk& chunk, bool is_first, std::optional<GlbChunks>& chunks,
+                Problems& problems) {
     const std::string at = offset_text(chunk.at);
     if (is_first && chunk.type != json_type) {
         problems.error("GLB_UNEXPECTED_FIRST_CHUNK", at, "the first GLB chunk is not JSON",
@@ -105,8 +113,8 @@ bool take_chunk(const Chunk& chunk, bool is_first, std::optional<GlbChunks>& chu
         return true;
     }
     if (chunk.type != bin_type) {
-        problems.note(Severity::warning, "GLB_UNKNOWN_CHUNK_TYPE", at, "unknown GLB chunk is skipped",
-                      fmt::format("{:#010x}", chunk.type));
+        problems.note(Severity::warning, "GLB_UNKNOWN_CHUNK_TYPE", at,
+                      "unknown GLB chunk is skipped", fmt::format("{:#010x}", chunk.type));
         return true;
     }
     if (!chunks) return true;
@@ -115,7 +123,8 @@ bool take_chunk(const Chunk& chunk, bool is_first, std::optional<GlbChunks>& chu
         return true;
     }
     if (chunk.bytes.empty())
-        problems.note(Severity::information, "GLB_EMPTY_BIN_CHUNK", at, "the GLB's BIN chunk is empty");
+        problems.note(Severity::information, "GLB_EMPTY_BIN_CHUNK", at,
+                      "the GLB's BIN chunk is empty");
     chunks->bin = chunk.bytes;
     return true;
 }
@@ -136,7 +145,8 @@ std::optional<GlbChunks> split_glb(std::span<const std::byte> file, Problems& pr
         const std::optional<Chunk> chunk = read_chunk(body, at, problems);
         if (!chunk) break;
         if (chunk->type == bin_type && chunk_count != 1 && chunks && !chunks->bin)
-            problems.error("GLB_UNEXPECTED_BIN_CHUNK", offset_text(at), "the BIN chunk is not the GLB's second");
+            problems.error("GLB_UNEXPECTED_BIN_CHUNK", offset_text(at),
+                           "the BIN chunk is not the GLB's second");
         if (!take_chunk(*chunk, chunk_count == 0, chunks, problems)) return std::nullopt;
         ++chunk_count;
         at += chunk_header_bytes + chunk->bytes.size();

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "scene/gltf/problems.h"
+
 #include <cstddef>
 #include <optional>
 #include <span>
 #include <string_view>
-
-#include "scene/gltf/problems.h"
 
 namespace facet::scene::gltf {
 
@@ -19,6 +19,7 @@ struct GlbChunks {
 
 [[nodiscard]] bool looks_like_glb(std::span<const std::byte> file);
 /// Errors are added to `problems`; nothing comes back when the JSON chunk could not be found.
-[[nodiscard]] std::optional<GlbChunks> split_glb(std::span<const std::byte> file, Problems& problems);
+[[nodiscard]] std::optional<GlbChunks> split_glb(std::span<const std::byte> file,
+                                                 Problems& problems);
 
 }  // namespace facet::scene::gltf

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include "scene/gltf/gltf.h"
 
-#include <algorithm>
-
-#include <spdlog/fmt/fmt.h>
-
 #include "scene/gltf/check.h"
 #include "scene/gltf/extensions.h"
 #include "scene/gltf/import.h"
 #include "scene/gltf/severity.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
 
 namespace facet::scene::gltf {
 namespace {
@@ -50,7 +50,8 @@ base::Result<Loaded> convert(Asset& asset, const LoadOptions& options, const bas
         return tl::unexpected(known.error());
     Problems problems;
     check_asset(asset, Depth::structure, limits, problems);
-    if (auto judged = judge(problems, loaded.warnings); !judged) return tl::unexpected(judged.error());
+    if (auto judged = judge(problems, loaded.warnings); !judged)
+        return tl::unexpected(judged.error());
     const auto model = parse_model(asset.json);
     if (!model) return tl::unexpected(model.error());
     Import import{.asset = asset,
@@ -65,7 +66,8 @@ base::Result<Loaded> convert(Asset& asset, const LoadOptions& options, const bas
                   .default_material = {},
                   .reduced_materials = {}};
     convert_materials(import);
-    if (auto converted = convert_nodes(import); !converted) return tl::unexpected(converted.error());
+    if (auto converted = convert_nodes(import); !converted)
+        return tl::unexpected(converted.error());
     if (auto images = load_images(import); !images) return tl::unexpected(images.error());
     list_names(asset.json, loaded.scene);
     loaded.reads = std::move(asset.reads);
@@ -77,7 +79,9 @@ base::Result<Loaded> convert(Asset& asset, const LoadOptions& options, const bas
 base::Result<Loaded> import_bytes(base::Bytes file, Origin origin, const LoadOptions& options,
                                   const base::Limits& limits, base::ThreadPool& pool) {
     const std::string label = origin.label;
-    const auto in_file = [&](base::Error error) { return base::fail(base::in_file(std::move(error), label)); };
+    const auto in_file = [&](base::Error error) {
+        return base::fail(base::in_file(std::move(error), label));
+    };
     Problems problems;
     base::Warnings warnings;
     std::optional<Asset> asset = open_asset(std::move(file), std::move(origin), limits, problems);

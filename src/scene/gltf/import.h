@@ -2,13 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdint>
-#include <map>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "base/limits.h"
 #include "base/result.h"
 #include "base/thread_pool.h"
@@ -17,9 +10,17 @@
 #include "scene/load.h"
 #include "scene/scene.h"
 
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
 namespace facet::scene::gltf {
 
-/// One import. References outlive it; only `scene`, `warnings` and `asset` (reads, memory) are written.
+/// One import. References outlive it; only `scene`, `warnings` and `asset` (reads, memory) are
+/// written.
 struct Import {
     Asset& asset;
     const tinygltf::Model& model;
@@ -29,12 +30,14 @@ struct Import {
     Scene& scene;
     base::Warnings& warnings;
 
-    std::vector<std::uint32_t> image_sources;           ///< by ImageId: index in the file
-    std::map<std::string, ImageId> images_by_key;       ///< uri, or "#" and the index
+    std::vector<std::uint32_t> image_sources;      ///< by ImageId: index in the file
+    std::map<std::string, ImageId> images_by_key;  ///< uri, or "#" and the index
     std::optional<MaterialId> default_material;
-    std::vector<std::map<std::string, MaterialId>> reduced_materials;  ///< by material: without some textures
+    std::vector<std::map<std::string, MaterialId>>
+        reduced_materials;  ///< by material: without some textures
 
-    /// Sets `bytes` aside for what is about to be made. Errors: limit_reached when they are not there.
+    /// Sets `bytes` aside for what is about to be made. Errors: limit_reached when they are not
+    /// there.
     [[nodiscard]] base::Status take_memory(std::size_t bytes, const std::string& where) {
         if (bytes > asset.memory_left)
             return base::fail({.code = base::ErrorCode::limit_reached,
@@ -46,7 +49,8 @@ struct Import {
         asset.memory_left -= bytes;
         return {};
     }
-    void warn(std::string where, std::string what, std::string found = {}, std::string remedy = {}) {
+    void warn(std::string where, std::string what, std::string found = {},
+              std::string remedy = {}) {
         warnings.push_back({.file = {},
                             .where = std::move(where),
                             .what = std::move(what),
@@ -57,8 +61,9 @@ struct Import {
 
 /// The id of image `index` of the file; two that name one file are one. Decoding comes later.
 [[nodiscard]] ImageId use_image(Import& import, std::uint32_t index);
-/// Reads, measures and decodes every image in use, on the pool. A missing or damaged one leaves null pixels
-/// and a warning; an error under --strict. Errors: limit_reached before anything is allocated.
+/// Reads, measures and decodes every image in use, on the pool. A missing or damaged one leaves
+/// null pixels and a warning; an error under --strict. Errors: limit_reached before anything is
+/// allocated.
 [[nodiscard]] base::Status load_images(Import& import);
 
 /// All of the file's materials, same order.

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "scene/gltf/json.h"
 
+#include <spdlog/fmt/fmt.h>
+
 #include <limits>
 #include <vector>
-
-#include <spdlog/fmt/fmt.h>
 
 namespace facet::scene::gltf {
 namespace {
@@ -32,7 +32,8 @@ std::string Pointer::text() const {
     std::string out;
     for (auto it = parts.rbegin(); it != parts.rend(); ++it) {
         out += '/';
-        out += (*it)->key_.data() != nullptr ? escaped_key((*it)->key_) : std::to_string((*it)->index_);
+        out += (*it)->key_.data() != nullptr ? escaped_key((*it)->key_)
+                                             : std::to_string((*it)->index_);
     }
     return out;
 }
@@ -59,7 +60,8 @@ const Json* find_path(const Json& object, std::string_view path) {
 
 std::optional<std::uint64_t> as_unsigned(const Json& value) {
     if (value.is_number_unsigned()) return value.get<std::uint64_t>();
-    if (value.is_number_integer() && value.get<std::int64_t>() >= 0) return value.get<std::uint64_t>();
+    if (value.is_number_integer() && value.get<std::int64_t>() >= 0)
+        return value.get<std::uint64_t>();
     return std::nullopt;
 }
 

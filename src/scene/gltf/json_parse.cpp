@@ -1,12 +1,12 @@
 // glTF's JSON, parsed within limits.
 // SPDX-License-Identifier: MIT
-#include <cmath>
-#include <limits>
-#include <vector>
+#include "scene/gltf/json.h"
 
 #include <spdlog/fmt/fmt.h>
 
-#include "scene/gltf/json.h"
+#include <cmath>
+#include <limits>
+#include <vector>
 
 namespace facet::scene::gltf {
 namespace {
@@ -21,7 +21,8 @@ public:
     bool number_integer(number_integer_t value) override { return put(Json(value)); }
     bool number_unsigned(number_unsigned_t value) override { return put(Json(value)); }
     bool number_float(number_float_t value, const string_t& text) override {
-        if (!std::isfinite(value)) return stop(base::ErrorCode::input_invalid, "number does not fit", text);
+        if (!std::isfinite(value))
+            return stop(base::ErrorCode::input_invalid, "number does not fit", text);
         constexpr double exact = 9007199254740992.0;  // 2^53
         // `1.0` is an integer in JSON; tinygltf takes it for one only when it is written as one.
         if (std::fabs(value) <= exact && std::trunc(value) == value) {
@@ -53,9 +54,11 @@ public:
     }
     bool parse_error(std::size_t at, const std::string& token,
                      const nlohmann::detail::exception& fault) override {
-        // "[json.exception…] parse error at line 3, column 7: …": the part in front is the library's.
+        // "[json.exception…] parse error at line 3, column 7: …": the part in front is the
+        // library's.
         std::string what = fault.what();
-        if (const auto start = what.find("parse error"); start != std::string::npos) what.erase(0, start);
+        if (const auto start = what.find("parse error"); start != std::string::npos)
+            what.erase(0, start);
         // A number too large for a double is reported here as well.
         const bool is_range = what.find("number overflow") != std::string::npos;
         error_ = {.code = base::ErrorCode::input_invalid,
@@ -98,7 +101,8 @@ private:
                         fmt::format("more than {}", limits_.json_depth));
         Json* const placed = place(std::move(value));
         if (placed == nullptr) return false;
-        // Elements of an outer array do not move while an inner one is open: only the innermost grows.
+        // Elements of an outer array do not move while an inner one is open: only the innermost
+        // grows.
         stack_.push_back(placed);
         return true;
     }
@@ -117,9 +121,10 @@ private:
 
 base::Result<Json> parse_json(std::string_view text, const base::Limits& limits) {
     if (text.size() > limits.json_bytes)
-        return base::fail({.code = base::ErrorCode::limit_reached,
-                           .what = "JSON text too large",
-                           .found = fmt::format("{} bytes, limit {}", text.size(), limits.json_bytes)});
+        return base::fail(
+            {.code = base::ErrorCode::limit_reached,
+             .what = "JSON text too large",
+             .found = fmt::format("{} bytes, limit {}", text.size(), limits.json_bytes)});
     if (text.starts_with("\xEF\xBB\xBF"))
         return base::fail({.code = base::ErrorCode::input_invalid,
                            .where = "@0x0",

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "scene/gltf/mesh.h"
 
-#include <cmath>
+#include "scene/tangents.h"
 
 #include <spdlog/fmt/fmt.h>
 
-#include "scene/tangents.h"
+#include <cmath>
 
 namespace facet::scene::gltf {
 namespace {
@@ -17,16 +17,20 @@ bool draws_surface(int mode) {
 }
 
 /// Memory for one more copy of the primitive: primitives and poses may share accessors without end.
-base::Status take_memory(Import& import, const tinygltf::Primitive& primitive, const std::string& where) {
-    constexpr std::size_t vertex_bytes = 80;  // position, normal, tangent, two coordinates, color, joints
+base::Status take_memory(Import& import, const tinygltf::Primitive& primitive,
+                         const std::string& where) {
+    constexpr std::size_t vertex_bytes =
+        80;  // position, normal, tangent, two coordinates, color, joints
     const auto count_of = [&](int index) -> std::size_t {
-        const bool is_there = index >= 0 && static_cast<std::size_t>(index) < import.asset.accessors.size();
+        const bool is_there =
+            index >= 0 && static_cast<std::size_t>(index) < import.asset.accessors.size();
         return is_there ? import.asset.accessors[static_cast<std::size_t>(index)].count : 0;
     };
     const auto position = primitive.attributes.find("POSITION");
-    const std::size_t vertices = position == primitive.attributes.end() ? 0 : count_of(position->second);
-    return import.take_memory(vertices * vertex_bytes + count_of(primitive.indices) * 3 * sizeof(std::uint32_t),
-                              where);
+    const std::size_t vertices =
+        position == primitive.attributes.end() ? 0 : count_of(position->second);
+    return import.take_memory(
+        vertices * vertex_bytes + count_of(primitive.indices) * 3 * sizeof(std::uint32_t), where);
 }
 
 /// Given tangents of length 1 and w of 1 or -1; empty where one of them is none.
@@ -48,13 +52,15 @@ void complete_normals(Import& import, const std::string& where, Mesh& mesh) {
         return;
     }
     if (const std::size_t count = mend_normals(mesh); count > 0)
-        import.warn(where + "/attributes/NORMAL", "normals are zero or not finite, computed from the faces",
+        import.warn(where + "/attributes/NORMAL",
+                    "normals are zero or not finite, computed from the faces",
                     fmt::format("{} vertices", count));
 }
 
 /// Tangents only where the material has a normal map: given ones, else those of MikkTSpace.
 void complete_tangents(const Import& import, Mesh& mesh) {
-    const auto& map = import.scene.materials[mesh.material.index].texture(tables::TextureSlot::normal_texture);
+    const auto& map =
+        import.scene.materials[mesh.material.index].texture(tables::TextureSlot::normal_texture);
     if (!map) {
         mesh.tangents.clear();
         return;
@@ -84,10 +90,12 @@ base::Result<std::optional<Mesh>> build_mesh(Import& import, std::size_t mesh_in
     const tinygltf::Primitive& primitive = source.primitives[primitive_index];
     const std::string where = fmt::format("/meshes/{}/primitives/{}", mesh_index, primitive_index);
     if (!draws_surface(primitive.mode)) {
-        import.warn(where + "/mode", "points and lines are not drawn", std::to_string(primitive.mode));
+        import.warn(where + "/mode", "points and lines are not drawn",
+                    std::to_string(primitive.mode));
         return std::nullopt;
     }
-    if (auto taken = take_memory(import, primitive, where); !taken) return tl::unexpected(taken.error());
+    if (auto taken = take_memory(import, primitive, where); !taken)
+        return tl::unexpected(taken.error());
     auto streams = read_streams(import, primitive, where);
     if (!streams) return tl::unexpected(streams.error());
     Mesh& mesh = streams->mesh;

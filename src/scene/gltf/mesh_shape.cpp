@@ -1,13 +1,13 @@
 // Triangles out of a primitive's mode and indices, and what a mesh lacks computed from them.
 // SPDX-License-Identifier: MIT
-#include <cmath>
-#include <limits>
-#include <numeric>
+#include "scene/gltf/elements.h"
+#include "scene/gltf/mesh.h"
 
 #include <spdlog/fmt/fmt.h>
 
-#include "scene/gltf/elements.h"
-#include "scene/gltf/mesh.h"
+#include <cmath>
+#include <limits>
+#include <numeric>
 
 namespace facet::scene::gltf {
 namespace {
@@ -22,7 +22,8 @@ std::uint32_t restart_value(Component component) {
 
 base::Result<std::vector<std::uint32_t>> read_indices(const Import& import,
                                                       const tinygltf::Primitive& primitive,
-                                                      std::size_t vertex_count, const std::string& where) {
+                                                      std::size_t vertex_count,
+                                                      const std::string& where) {
     std::vector<std::uint32_t> indices;
     if (primitive.indices < 0) {
         indices.resize(vertex_count);
@@ -39,12 +40,13 @@ base::Result<std::vector<std::uint32_t>> read_indices(const Import& import,
     const std::uint32_t restart = restart_value(accessor.component);
     for (std::size_t i = 0; i < indices.size(); ++i) {
         if (indices[i] < vertex_count) continue;
-        return base::fail({.code = ErrorCode::input_invalid,
-                           .where = where + "/indices",
-                           .what = indices[i] == restart ? "index is the primitive restart value"
-                                                         : "index out of range",
-                           .found = fmt::format("{} at {}, but there are {}", indices[i], i, vertex_count),
-                           .remedy = "export the model again"});
+        return base::fail(
+            {.code = ErrorCode::input_invalid,
+             .where = where + "/indices",
+             .what = indices[i] == restart ? "index is the primitive restart value"
+                                           : "index out of range",
+             .found = fmt::format("{} at {}, but there are {}", indices[i], i, vertex_count),
+             .remedy = "export the model again"});
     }
     return indices;
 }
@@ -69,7 +71,8 @@ Vec3 scaled_face_normal(const Mesh& mesh, std::size_t first) {
                        mesh.positions_m[mesh.indices[first + 2]] - a);
 }
 
-/// `v` at length 1, whatever its scale: dividing by the largest part first keeps 1e-30 from vanishing.
+/// `v` at length 1, whatever its scale: dividing by the largest part first keeps 1e-30 from
+/// vanishing.
 Vec3 unit_or_zero(const Vec3& v) {
     const float largest = std::fmax(std::fabs(v.x), std::fmax(std::fabs(v.y), std::fabs(v.z)));
     if (!(largest > 0.0F) || !std::isfinite(largest)) return Vec3(0.0F);
@@ -87,8 +90,10 @@ void spread(std::vector<T>& values, const std::vector<std::uint32_t>& indices) {
 
 }  // namespace
 
-base::Result<std::vector<std::uint32_t>> read_triangles(Import& import, const tinygltf::Primitive& primitive,
-                                                        std::size_t vertex_count, const std::string& where) {
+base::Result<std::vector<std::uint32_t>> read_triangles(Import& import,
+                                                        const tinygltf::Primitive& primitive,
+                                                        std::size_t vertex_count,
+                                                        const std::string& where) {
     auto indices = read_indices(import, primitive, vertex_count, where);
     if (!indices) return indices;
     if (primitive.mode == TINYGLTF_MODE_TRIANGLE_STRIP) return unroll(*indices, false);
@@ -126,12 +131,14 @@ void make_flat(Mesh& mesh) {
     spread(mesh.uv0, mesh.indices);
     spread(mesh.uv1, mesh.indices);
     spread(mesh.colors, mesh.indices);
-    mesh.tangents.clear();  // without normals, given tangents are to be ignored (glTF 2.0, section 3.7.2.1)
+    mesh.tangents
+        .clear();  // without normals, given tangents are to be ignored (glTF 2.0, section 3.7.2.1)
     std::iota(mesh.indices.begin(), mesh.indices.end(), 0U);
     mesh.normals.resize(mesh.positions_m.size());
     for (std::size_t first = 0; first < mesh.indices.size(); first += 3) {
         const Vec3 n = unit_or_zero(scaled_face_normal(mesh, first));
-        for (std::size_t i = 0; i < 3; ++i) mesh.normals[first + i] = n == Vec3(0.0F) ? Vec3(0.0F, 1.0F, 0.0F) : n;
+        for (std::size_t i = 0; i < 3; ++i)
+            mesh.normals[first + i] = n == Vec3(0.0F) ? Vec3(0.0F, 1.0F, 0.0F) : n;
     }
 }
 
@@ -144,7 +151,8 @@ std::size_t mend_normals(Mesh& mesh) {
     if (broken.empty()) return 0;
     std::vector<Vec3> sums(mesh.normals.size(), Vec3(0.0F));
     for (std::size_t first = 0; first < mesh.indices.size(); first += 3)
-        for (std::size_t i = 0; i < 3; ++i) sums[mesh.indices[first + i]] += scaled_face_normal(mesh, first);
+        for (std::size_t i = 0; i < 3; ++i)
+            sums[mesh.indices[first + i]] += scaled_face_normal(mesh, first);
     for (const std::uint32_t v : broken) {
         const Vec3 n = unit_or_zero(sums[v]);
         mesh.normals[v] = n == Vec3(0.0F) ? Vec3(0.0F, 1.0F, 0.0F) : n;

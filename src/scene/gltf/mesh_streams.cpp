@@ -1,13 +1,13 @@
 // Vertex streams of a primitive: attributes decoded, numbers that are none mended or refused.
 // SPDX-License-Identifier: MIT
-#include <algorithm>
-#include <cmath>
-#include <cstring>
+#include "scene/gltf/elements.h"
+#include "scene/gltf/mesh.h"
 
 #include <spdlog/fmt/fmt.h>
 
-#include "scene/gltf/elements.h"
-#include "scene/gltf/mesh.h"
+#include <algorithm>
+#include <cmath>
+#include <cstring>
 
 namespace facet::scene::gltf {
 namespace {
@@ -15,11 +15,13 @@ namespace {
 using base::ErrorCode;
 
 /// The sound accessor of an attribute; null where the primitive has none or it cannot be read.
-const Accessor* find_attribute(const Import& import, const tinygltf::Primitive& primitive, const char* name) {
+const Accessor* find_attribute(const Import& import, const tinygltf::Primitive& primitive,
+                               const char* name) {
     const auto found = primitive.attributes.find(name);
     if (found == primitive.attributes.end() || found->second < 0) return nullptr;
     const auto index = static_cast<std::size_t>(found->second);
-    if (index >= import.asset.accessors.size() || !import.asset.accessors[index].is_sound) return nullptr;
+    if (index >= import.asset.accessors.size() || !import.asset.accessors[index].is_sound)
+        return nullptr;
     return &import.asset.accessors[index];
 }
 
@@ -55,22 +57,25 @@ void mend(Import& import, std::vector<Vec>& values, const std::string& where) {
             v = Vec(0.0F);
             ++count;
         }
-    if (count > 0) import.warn(where, "NaN or infinite, taken as 0", fmt::format("{} vertices", count));
+    if (count > 0)
+        import.warn(where, "NaN or infinite, taken as 0", fmt::format("{} vertices", count));
 }
 
 /// A stream of `vertex_count` vectors, or an empty one where the attribute is absent.
 template <class Vec>
 base::Result<std::vector<Vec>> read_stream(Import& import, const tinygltf::Primitive& primitive,
                                            const char* name, const std::string& where,
-                                           std::size_t vertex_count, const Vec& missing = Vec(0.0F)) {
+                                           std::size_t vertex_count,
+                                           const Vec& missing = Vec(0.0F)) {
     const Accessor* const accessor = find_attribute(import, primitive, name);
     if (accessor == nullptr) return std::vector<Vec>{};
     const std::string at = where + "/attributes/" + name;
     if (accessor->count != vertex_count)
-        return base::fail({.code = ErrorCode::input_invalid,
-                           .where = at,
-                           .what = "attributes of one primitive differ in count",
-                           .found = fmt::format("{}, but POSITION has {}", accessor->count, vertex_count)});
+        return base::fail(
+            {.code = ErrorCode::input_invalid,
+             .where = at,
+             .what = "attributes of one primitive differ in count",
+             .found = fmt::format("{}, but POSITION has {}", accessor->count, vertex_count)});
     std::vector<Vec> values = read_vectors<Vec>(*accessor, missing);
     mend(import, values, at);
     return values;
@@ -117,9 +122,12 @@ void read_influences(Import& import, const tinygltf::Primitive& primitive, const
     std::vector<std::vector<std::uint32_t>> joints;
     std::vector<std::vector<float>> weights;
     for (const char* const set : {"0", "1"}) {
-        const Accessor* const j = find_attribute(import, primitive, (std::string("JOINTS_") + set).c_str());
-        const Accessor* const w = find_attribute(import, primitive, (std::string("WEIGHTS_") + set).c_str());
-        if (j == nullptr || w == nullptr || j->count != vertex_count || w->count != vertex_count) break;
+        const Accessor* const j =
+            find_attribute(import, primitive, (std::string("JOINTS_") + set).c_str());
+        const Accessor* const w =
+            find_attribute(import, primitive, (std::string("WEIGHTS_") + set).c_str());
+        if (j == nullptr || w == nullptr || j->count != vertex_count || w->count != vertex_count)
+            break;
         if (j->components != 4 || w->components != 4) break;
         joints.push_back(read_unsigned(*j));
         weights.push_back(read_floats(*w));
@@ -152,20 +160,26 @@ base::Result<Streams> read_streams(Import& import, const tinygltf::Primitive& pr
         return {};
     };
     const Accessor* const normals = find_attribute(import, primitive, "NORMAL");
-    if (normals != nullptr && normals->count == count) mesh.normals = read_vectors<Vec3>(*normals, Vec3(0.0F));
-    base::Status status = take(read_stream<Vec4>(import, primitive, "TANGENT", where, count), mesh.tangents);
-    if (status) status = take(read_stream<Vec2>(import, primitive, "TEXCOORD_0", where, count), mesh.uv0);
-    if (status) status = take(read_stream<Vec2>(import, primitive, "TEXCOORD_1", where, count), mesh.uv1);
+    if (normals != nullptr && normals->count == count)
+        mesh.normals = read_vectors<Vec3>(*normals, Vec3(0.0F));
+    base::Status status =
+        take(read_stream<Vec4>(import, primitive, "TANGENT", where, count), mesh.tangents);
+    if (status)
+        status = take(read_stream<Vec2>(import, primitive, "TEXCOORD_0", where, count), mesh.uv0);
+    if (status)
+        status = take(read_stream<Vec2>(import, primitive, "TEXCOORD_1", where, count), mesh.uv1);
     const Vec4 opaque(0.0F, 0.0F, 0.0F, 1.0F);
-    if (status) status = take(read_stream<Vec4>(import, primitive, "COLOR_0", where, count, opaque), mesh.colors);
+    if (status)
+        status = take(read_stream<Vec4>(import, primitive, "COLOR_0", where, count, opaque),
+                      mesh.colors);
     if (!status) return tl::unexpected(status.error());
     for (Vec4& color : mesh.colors) color = glm::clamp(color, 0.0F, 1.0F);
     read_influences(import, primitive, where, streams);
     return streams;
 }
 
-base::Status apply_morphs(Import& import, const tinygltf::Primitive& primitive, std::span<const double> weights,
-                          const std::string& where, Mesh& mesh) {
+base::Status apply_morphs(Import& import, const tinygltf::Primitive& primitive,
+                          std::span<const double> weights, const std::string& where, Mesh& mesh) {
     for (std::size_t t = 0; t < primitive.targets.size() && t < weights.size(); ++t) {
         const auto weight = static_cast<float>(weights[t]);
         if (weight == 0.0F || !std::isfinite(weight)) continue;
@@ -179,9 +193,11 @@ base::Status apply_morphs(Import& import, const tinygltf::Primitive& primitive, 
         if (!normals) return base::fail(normals.error());
         auto tangents = read_stream<Vec3>(import, target, "TANGENT", at, count);
         if (!tangents) return base::fail(tangents.error());
-        for (std::size_t v = 0; v < positions->size(); ++v) mesh.positions_m[v] += weight * (*positions)[v];
+        for (std::size_t v = 0; v < positions->size(); ++v)
+            mesh.positions_m[v] += weight * (*positions)[v];
         if (!mesh.normals.empty())
-            for (std::size_t v = 0; v < normals->size(); ++v) mesh.normals[v] += weight * (*normals)[v];
+            for (std::size_t v = 0; v < normals->size(); ++v)
+                mesh.normals[v] += weight * (*normals)[v];
         if (!mesh.tangents.empty())
             for (std::size_t v = 0; v < tangents->size(); ++v)
                 mesh.tangents[v] += Vec4(weight * (*tangents)[v], 0.0F);
@@ -194,14 +210,15 @@ base::Status apply_skin(std::span<const Mat4> joints, const std::string& where, 
     for (std::size_t v = 0; v < mesh.positions_m.size(); ++v) {
         Mat4 matrix(0.0F);
         float sum = 0.0F;
-        for (std::size_t i = v * streams.influence_count; i < (v + 1) * streams.influence_count; ++i) {
+        for (std::size_t i = v * streams.influence_count; i < (v + 1) * streams.influence_count;
+             ++i) {
             if (streams.joint_weights[i] == 0.0F) continue;
             if (streams.joints[i] >= joints.size())
                 return base::fail({.code = base::ErrorCode::input_invalid,
                                    .where = where + "/attributes/JOINTS_0",
                                    .what = "joint index out of range",
-                                   .found = fmt::format("{} of vertex {}, but there are {}", streams.joints[i], v,
-                                                        joints.size())});
+                                   .found = fmt::format("{} of vertex {}, but there are {}",
+                                                        streams.joints[i], v, joints.size())});
             matrix += joints[streams.joints[i]] * streams.joint_weights[i];
             sum += streams.joint_weights[i];
         }

@@ -1,5 +1,7 @@
 // tinygltf behind a gate; the only place where its code is compiled.
 // SPDX-License-Identifier: MIT
+#include <fstream>  // tinygltf names it even where it opens nothing
+
 #define TINYGLTF_NO_STB_IMAGE
 #define TINYGLTF_NO_STB_IMAGE_WRITE
 #define TINYGLTF_NO_EXTERNAL_IMAGE
@@ -17,8 +19,9 @@ namespace facet::scene::gltf {
 namespace {
 
 /// What tinygltf is given; extras are left out too, as it copies them by recursion.
-constexpr auto kept = std::to_array<std::string_view>(
-    {"asset", "scene", "scenes", "nodes", "meshes", "materials", "textures", "samplers", "cameras"});
+constexpr auto kept =
+    std::to_array<std::string_view>({"asset", "scene", "scenes", "nodes", "meshes", "materials",
+                                     "textures", "samplers", "cameras"});
 
 bool no_such_file(const std::string&, void*) { return false; }
 std::string same_path(const std::string& path, void*) { return path; }
@@ -26,8 +29,11 @@ bool read_nothing(std::vector<unsigned char>*, std::string* error, const std::st
     if (error != nullptr) *error = "nothing is read through tinygltf";
     return false;
 }
-bool write_nothing(std::string*, const std::string&, const std::vector<unsigned char>&, void*) { return false; }
-bool keep_no_image(tinygltf::Image*, int, std::string*, std::string*, int, int, const unsigned char*, int, void*) {
+bool write_nothing(std::string*, const std::string&, const std::vector<unsigned char>&, void*) {
+    return false;
+}
+bool keep_no_image(tinygltf::Image*, int, std::string*, std::string*, int, int,
+                   const unsigned char*, int, void*) {
     return true;
 }
 
@@ -43,6 +49,12 @@ std::string reduced_text(const Json& json) {
         if (const Json* const part = find(json, name)) reduced[std::string(name)] = *part;
     if (const Json* const lights = find_path(json, "extensions/KHR_lights_punctual"))
         reduced["extensions"]["KHR_lights_punctual"] = *lights;
+    // tinygltf refuses indices whose accessor has no buffer view, which glTF allows: it gets a view
+    // to see.
+    const Json stand_in = {
+        {"bufferView", 0}, {"componentType", 5121}, {"count", 1}, {"type", "SCALAR"}};
+    reduced["accessors"] = Json(count_at(json, "accessors"), stand_in);
+    reduced["bufferViews"] = Json::array({{{"buffer", 0}, {"byteLength", 1}}});
     drop_extras(reduced);
     return reduced.dump(-1, ' ', false, Json::error_handler_t::replace);
 }

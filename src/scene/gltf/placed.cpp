@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "scene/gltf/placed.h"
 
-#include <cmath>
-
 #include <spdlog/fmt/fmt.h>
+
+#include <cmath>
 
 namespace facet::scene::gltf {
 namespace {
@@ -14,12 +14,13 @@ Vec3 unit_or(const Vec3& v, const Vec3& otherwise) {
     return size > 0.0F && std::isfinite(size) ? v / size : otherwise;
 }
 
-/// Rotation and translation of `matrix`: z and y kept as they are seen, x made to fit, so that a mirrored
-/// node still gives a camera that is not mirrored.
+/// Rotation and translation of `matrix`: z and y kept as they are seen, x made to fit, so that a
+/// mirrored node still gives a camera that is not mirrored.
 Mat4 rigid(const Mat4& matrix) {
     const Vec3 z = unit_or(Vec3(matrix[2]), Vec3(0.0F, 0.0F, 1.0F));
     const Vec3 spare = std::fabs(z.y) < 0.9F ? Vec3(0.0F, 1.0F, 0.0F) : Vec3(1.0F, 0.0F, 0.0F);
-    const Vec3 x = unit_or(math::cross(unit_or(Vec3(matrix[1]), spare), z), unit_or(math::cross(spare, z), spare));
+    const Vec3 x = unit_or(math::cross(unit_or(Vec3(matrix[1]), spare), z),
+                           unit_or(math::cross(spare, z), spare));
     const Vec3 y = math::cross(z, x);
     return {Vec4(x, 0.0F), Vec4(y, 0.0F), Vec4(z, 0.0F), Vec4(Vec3(matrix[3]), 1.0F)};
 }
@@ -31,7 +32,9 @@ void place_camera(Import& import, std::uint32_t node_index, const Mat4& world_fr
     const tinygltf::Camera& from = import.model.cameras[static_cast<std::size_t>(node.camera)];
     Camera to;
     to.node = node.name;
-    to.name = !from.name.empty() ? from.name : !node.name.empty() ? node.name : fmt::format("camera {}", node.camera);
+    to.name = !from.name.empty()   ? from.name
+              : !node.name.empty() ? node.name
+                                   : fmt::format("camera {}", node.camera);
     to.world_from_view = rigid(world_from_node);
     if (from.type == "orthographic") {
         to.projection = Projection::orthographic;
@@ -63,7 +66,9 @@ void place_light(Import& import, std::uint32_t node_index, const Mat4& world_fro
         return import.warn(fmt::format("/extensions/KHR_lights_punctual/lights/{}/type", *index),
                            "unknown kind of light is ignored", from.type);
     const std::string& node_name = import.model.nodes[node_index].name;
-    to.name = !from.name.empty() ? from.name : !node_name.empty() ? node_name : fmt::format("light {}", *index);
+    to.name = !from.name.empty()   ? from.name
+              : !node_name.empty() ? node_name
+                                   : fmt::format("light {}", *index);
     if (from.color.size() == 3)
         to.color = Vec3(static_cast<float>(from.color[0]), static_cast<float>(from.color[1]),
                         static_cast<float>(from.color[2]));

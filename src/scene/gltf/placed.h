@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdint>
-
 #include "scene/gltf/import.h"
+
+#include <cstdint>
 
 namespace facet::scene::gltf {
 

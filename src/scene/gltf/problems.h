@@ -1,14 +1,14 @@
-// Problems of a glTF file, collected while it is looked at: what `check` prints and `load` decides by.
-// SPDX-License-Identifier: MIT
+// Problems of a glTF file, collected while it is looked at: what `check` prints and `load` decides
+// by. SPDX-License-Identifier: MIT
 #pragma once
+
+#include "base/result.h"
+#include "scene/load.h"
 
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
-
-#include "base/result.h"
-#include "scene/load.h"
 
 namespace facet::scene::gltf {
 
@@ -25,14 +25,16 @@ struct Problem {
     base::ErrorCode error = base::ErrorCode::input_invalid;  ///< how `load` fails on it
 };
 
-/// Collects problems; drops those beyond `max_count`, so that a broken file of a million values stays small.
+/// Collects problems; drops those beyond `max_count`, so that a broken file of a million values
+/// stays small.
 class Problems {
 public:
     void add(Problem problem) {
         if (problem.severity == Severity::error) ++error_count_;
         if (all_.size() < max_count) all_.push_back(std::move(problem));
     }
-    void error(std::string_view code, std::string pointer, std::string what, std::string found = {}) {
+    void error(std::string_view code, std::string pointer, std::string what,
+               std::string found = {}) {
         add({.code = std::string(code),
              .pointer = std::move(pointer),
              .what = std::move(what),
@@ -59,6 +61,7 @@ private:
 [[nodiscard]] base::Warning to_warning(const Problem& problem);
 [[nodiscard]] Finding to_finding(const Problem& problem);
 /// A problem of code `code` out of an error from below (a file that cannot be read).
-[[nodiscard]] Problem to_problem(std::string_view code, std::string pointer, const base::Error& error);
+[[nodiscard]] Problem to_problem(std::string_view code, std::string pointer,
+                                 const base::Error& error);
 
 }  // namespace facet::scene::gltf

@@ -1,12 +1,12 @@
 // Accessors: every offset, count, stride and sparse index checked before one element is read.
 // SPDX-License-Identifier: MIT
-#include <array>
-#include <cstring>
-#include <limits>
+#include "scene/gltf/asset.h"
 
 #include <spdlog/fmt/fmt.h>
 
-#include "scene/gltf/asset.h"
+#include <array>
+#include <cstring>
+#include <limits>
 
 namespace facet::scene::gltf {
 namespace {
@@ -34,13 +34,20 @@ const TypeRow* type_row(std::string_view name) {
 
 std::optional<Component> component_of(const Json& json) {
     switch (unsigned_at(json, "componentType").value_or(0)) {
-        case 5120: return Component::i8;
-        case 5121: return Component::u8;
-        case 5122: return Component::i16;
-        case 5123: return Component::u16;
-        case 5125: return Component::u32;
-        case 5126: return Component::f32;
-        default: return std::nullopt;
+        case 5120:
+            return Component::i8;
+        case 5121:
+            return Component::u8;
+        case 5122:
+            return Component::i16;
+        case 5123:
+            return Component::u16;
+        case 5125:
+            return Component::u32;
+        case 5126:
+            return Component::f32;
+        default:
+            return std::nullopt;
     }
 }
 
@@ -85,17 +92,18 @@ bool check_alignment(Reading& r, std::uint64_t offset, const Json& view) {
     }
     const std::uint64_t view_offset = unsigned_at(view, "byteOffset").value_or(0);
     if ((view_offset % size + offset % size) % size != 0) {
-        r.problems.error("ACCESSOR_TOTAL_OFFSET_ALIGNMENT", r.where,
-                         fmt::format("total offset is not a multiple of the component's {} bytes", size),
-                         fmt::format("{} + {}", view_offset, offset));
+        r.problems.error(
+            "ACCESSOR_TOTAL_OFFSET_ALIGNMENT", r.where,
+            fmt::format("total offset is not a multiple of the component's {} bytes", size),
+            fmt::format("{} + {}", view_offset, offset));
         is_aligned = false;
     }
     return is_aligned;
 }
 
 /// Last byte of the last element within the view; all by division, as nothing here may wrap.
-bool fits(std::uint64_t offset, std::uint64_t count, std::uint64_t stride, std::uint64_t element_size,
-          std::uint64_t length) {
+bool fits(std::uint64_t offset, std::uint64_t count, std::uint64_t stride,
+          std::uint64_t element_size, std::uint64_t length) {
     if (offset > length || element_size > length - offset) return false;
     return count - 1 <= (length - offset - element_size) / stride;
 }
@@ -104,7 +112,8 @@ bool read_dense(Reading& r) {
     Accessor& a = r.accessor;
     const auto view_index = index_at(r.json, "bufferView");
     if (find(r.json, "bufferView") == nullptr) return true;  // zeros
-    const Json* const view = view_index ? element_at(r.asset.json, "bufferViews", *view_index) : nullptr;
+    const Json* const view =
+        view_index ? element_at(r.asset.json, "bufferViews", *view_index) : nullptr;
     if (view == nullptr) return false;
     a.view = view_index;
     if (find(r.json, "byteOffset") != nullptr && !unsigned_at(r.json, "byteOffset")) return false;
@@ -112,7 +121,8 @@ bool read_dense(Reading& r) {
     bool is_sound = check_alignment(r, offset, *view);
     if (const auto stride = unsigned_at(*view, "byteStride"); stride && *stride > 0) {
         if (*stride < a.stride) {
-            r.problems.error("ACCESSOR_SMALL_BYTESTRIDE", r.where, "stride is smaller than an element",
+            r.problems.error("ACCESSOR_SMALL_BYTESTRIDE", r.where,
+                             "stride is smaller than an element",
                              fmt::format("{} of {} bytes", *stride, a.stride));
             return false;
         }
@@ -121,10 +131,11 @@ bool read_dense(Reading& r) {
     const auto length = unsigned_at(*view, "byteLength");
     if (!length) return false;
     if (!fits(offset, a.count, a.stride, r.element_size, *length)) {
-        r.problems.error("ACCESSOR_TOO_LONG", find(r.json, "byteOffset") ? r.where + "/byteOffset" : r.where,
-                         "accessor leaves its buffer view",
-                         fmt::format("offset {}, {} elements {} bytes apart, but view {} has {} bytes", offset,
-                                     a.count, a.stride, *view_index, *length));
+        r.problems.error(
+            "ACCESSOR_TOO_LONG", find(r.json, "byteOffset") ? r.where + "/byteOffset" : r.where,
+            "accessor leaves its buffer view",
+            fmt::format("offset {}, {} elements {} bytes apart, but view {} has {} bytes", offset,
+                        a.count, a.stride, *view_index, *length));
         return false;
     }
     if (const View& sound = r.asset.views[*view_index]; sound.is_sound)
@@ -135,8 +146,8 @@ bool read_dense(Reading& r) {
 }
 
 /// Bytes of one of the two tables of a sparse accessor; empty where they are not sound.
-std::span<const std::byte> sparse_table(Reading& r, const char* key, std::size_t count, std::size_t size,
-                                        std::size_t alignment) {
+std::span<const std::byte> sparse_table(Reading& r, const char* key, std::size_t count,
+                                        std::size_t size, std::size_t alignment) {
     const Json* const table = find_path(r.json, std::string("sparse/") + key);
     const auto view_index = table != nullptr ? index_at(*table, "bufferView") : std::nullopt;
     if (!view_index || *view_index >= r.asset.views.size()) return {};
@@ -145,24 +156,30 @@ std::span<const std::byte> sparse_table(Reading& r, const char* key, std::size_t
     const std::uint64_t offset = unsigned_at(*table, "byteOffset").value_or(0);
     const std::uint64_t length = unsigned_at(view, "byteLength").value_or(0);
     if (find(view, "byteStride") != nullptr)
-        r.problems.error("BUFFER_VIEW_INVALID_BYTE_STRIDE", pointer_text("bufferViews", *view_index, "/byteStride"),
+        r.problems.error("BUFFER_VIEW_INVALID_BYTE_STRIDE",
+                         pointer_text("bufferViews", *view_index, "/byteStride"),
                          "sparse data must be tightly packed");
-    if ((offset % alignment + unsigned_at(view, "byteOffset").value_or(0) % alignment) % alignment != 0) {
+    if ((offset % alignment + unsigned_at(view, "byteOffset").value_or(0) % alignment) %
+            alignment !=
+        0) {
         r.problems.error("ACCESSOR_TOTAL_OFFSET_ALIGNMENT", where, "sparse data is not aligned",
                          std::to_string(offset));
         return {};
     }
     if (!fits(offset, count, size, size, length)) {
-        r.problems.error("ACCESSOR_TOO_LONG", where + "/byteOffset", "sparse data leaves its buffer view",
-                         fmt::format("offset {}, {} elements of {} bytes, but view {} has {} bytes", offset, count,
-                                     size, *view_index, length));
+        r.problems.error("ACCESSOR_TOO_LONG", where + "/byteOffset",
+                         "sparse data leaves its buffer view",
+                         fmt::format("offset {}, {} elements of {} bytes, but view {} has {} bytes",
+                                     offset, count, size, *view_index, length));
         return {};
     }
     const View& sound = r.asset.views[*view_index];
-    return sound.is_sound ? sound.bytes.subspan(offset, count * size) : std::span<const std::byte>{};
+    return sound.is_sound ? sound.bytes.subspan(offset, count * size)
+                          : std::span<const std::byte>{};
 }
 
-bool read_sparse_indices(Reading& r, std::span<const std::byte> bytes, std::size_t size, std::size_t count) {
+bool read_sparse_indices(Reading& r, std::span<const std::byte> bytes, std::size_t size,
+                         std::size_t count) {
     r.accessor.sparse_indices.resize(count);
     const std::string where = r.where + "/sparse/indices";
     for (std::size_t i = 0; i < count; ++i) {
@@ -174,8 +191,9 @@ bool read_sparse_indices(Reading& r, std::span<const std::byte> bytes, std::size
             return false;
         }
         if (i > 0 && index <= r.accessor.sparse_indices[i - 1]) {
-            r.problems.error("ACCESSOR_SPARSE_INDICES_NON_INCREASING", where, "sparse indices do not increase",
-                             fmt::format("{} at {} after {}", index, i, r.accessor.sparse_indices[i - 1]));
+            r.problems.error(
+                "ACCESSOR_SPARSE_INDICES_NON_INCREASING", where, "sparse indices do not increase",
+                fmt::format("{} at {} after {}", index, i, r.accessor.sparse_indices[i - 1]));
             return false;
         }
         r.accessor.sparse_indices[i] = index;
@@ -196,19 +214,22 @@ bool read_sparse(Reading& r) {
     }
     const Json* const indices = find(*sparse, "indices");
     const auto component = indices != nullptr ? component_of(*indices) : std::nullopt;
-    if (!component || *component == Component::i8 || *component == Component::i16 || *component == Component::f32)
+    if (!component || *component == Component::i8 || *component == Component::i16 ||
+        *component == Component::f32)
         return false;
     const std::size_t size = component_bytes(*component);
     const std::size_t own_size = component_bytes(r.accessor.component);
     const auto index_bytes = sparse_table(r, "indices", *count, size, size);
-    const std::size_t packed = r.accessor.rows > 0 ? r.accessor.column_stride * (r.accessor.components / r.accessor.rows)
-                                                   : r.element_size;
+    const std::size_t packed =
+        r.accessor.rows > 0 ? r.accessor.column_stride * (r.accessor.components / r.accessor.rows)
+                            : r.element_size;
     r.accessor.sparse_values = sparse_table(r, "values", *count, packed, own_size);
     if (index_bytes.empty() || r.accessor.sparse_values.empty()) return false;
     return read_sparse_indices(r, index_bytes, size, *count);
 }
 
-void read_accessor(Asset& asset, std::size_t index, const base::Limits& limits, Problems& problems) {
+void read_accessor(Asset& asset, std::size_t index, const base::Limits& limits,
+                   Problems& problems) {
     const Json& json = *element_at(asset.json, "accessors", index);
     Accessor& accessor = asset.accessors[index];
     if (!read_shape(json, accessor)) return;
@@ -234,9 +255,10 @@ void read_accessor(Asset& asset, std::size_t index, const base::Limits& limits, 
         return;
     }
     asset.memory_left -= needed;
-    const std::size_t tail = accessor.rows > 0
-                                 ? accessor.column_stride - accessor.rows * component_bytes(accessor.component)
-                                 : 0;
+    const std::size_t tail =
+        accessor.rows > 0
+            ? accessor.column_stride - accessor.rows * component_bytes(accessor.component)
+            : 0;
     Reading reading{asset, json, where, accessor, accessor.stride - tail, limits, problems};
     const bool is_dense_sound = read_dense(reading);
     accessor.is_sound = read_sparse(reading) && is_dense_sound;
@@ -246,7 +268,8 @@ void read_accessor(Asset& asset, std::size_t index, const base::Limits& limits, 
 
 void read_accessors(Asset& asset, const base::Limits& limits, Problems& problems) {
     asset.accessors.resize(count_at(asset.json, "accessors"));
-    for (std::size_t i = 0; i < asset.accessors.size(); ++i) read_accessor(asset, i, limits, problems);
+    for (std::size_t i = 0; i < asset.accessors.size(); ++i)
+        read_accessor(asset, i, limits, problems);
 }
 
 }  // namespace facet::scene::gltf

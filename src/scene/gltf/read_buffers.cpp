@@ -1,9 +1,9 @@
 // Buffers and buffer views: fetched, measured, and their ranges checked.
 // SPDX-License-Identifier: MIT
-#include <spdlog/fmt/fmt.h>
-
 #include "scene/gltf/asset.h"
 #include "scene/gltf/uri.h"
+
+#include <spdlog/fmt/fmt.h>
 
 namespace facet::scene::gltf {
 namespace {
@@ -15,11 +15,13 @@ constexpr std::size_t bin_padding = 3;
 
 void take_bin(Asset& asset, std::uint64_t length, Buffer& buffer, Problems& problems) {
     if (!asset.bin) {
-        problems.error("BUFFER_MISSING_GLB_DATA", "/buffers/0", "the GLB has no BIN chunk for this buffer");
+        problems.error("BUFFER_MISSING_GLB_DATA", "/buffers/0",
+                       "the GLB has no BIN chunk for this buffer");
         return;
     }
     if (asset.bin->size() < length) {
-        problems.error("BUFFER_BYTE_LENGTH_MISMATCH", "/buffers/0", "buffer is longer than the GLB's BIN chunk",
+        problems.error("BUFFER_BYTE_LENGTH_MISMATCH", "/buffers/0",
+                       "buffer is longer than the GLB's BIN chunk",
                        fmt::format("{}, but there are {} bytes", length, asset.bin->size()));
         return;
     }
@@ -34,14 +36,16 @@ void take_bin(Asset& asset, std::uint64_t length, Buffer& buffer, Problems& prob
 /// The code for a URI that could not be read.
 std::string_view code_of(const std::string& uri, const base::Error& error) {
     if (is_data_uri(uri)) return "INVALID_URI";
-    return error.what == "no such file" || error.what == "not a regular file" ? "IO_ERROR" : "INVALID_URI";
+    return error.what == "no such file" || error.what == "not a regular file" ? "IO_ERROR"
+                                                                              : "INVALID_URI";
 }
 
 void check_data_uri_mime(const std::string& uri, const std::string& where, Problems& problems) {
     const std::string_view mime = std::string_view(uri).substr(5, uri.find_first_of(";,") - 5);
-    if (mime != "application/octet-stream" && mime != "application/gltf-buffer" && uri.find(',') != std::string::npos)
-        problems.error("BUFFER_DATA_URI_MIME_TYPE_INVALID", where + "/uri", "wrong media type of a buffer",
-                       std::string(mime.substr(0, 80)));
+    if (mime != "application/octet-stream" && mime != "application/gltf-buffer" &&
+        uri.find(',') != std::string::npos)
+        problems.error("BUFFER_DATA_URI_MIME_TYPE_INVALID", where + "/uri",
+                       "wrong media type of a buffer", std::string(mime.substr(0, 80)));
 }
 
 /// Buffers of EXT_meshopt_compression whose bytes only a decoder could make.
@@ -83,7 +87,8 @@ void read_buffer(Asset& asset, std::size_t index, const base::Limits& limits, Pr
     if (is_data_uri(uri)) check_data_uri_mime(uri, where, problems);
     Buffer& buffer = asset.buffers[index];
     if (find(json, "uri") != nullptr) {
-        if (find(json, "uri")->is_string()) fetch(asset, uri, length.value_or(0), buffer, where, problems);
+        if (find(json, "uri")->is_string())
+            fetch(asset, uri, length.value_or(0), buffer, where, problems);
     } else if (index == 0 && asset.is_glb && length && *length > 0) {
         take_bin(asset, *length, buffer, problems);
     } else if (!is_fallback(json) && length) {
@@ -100,14 +105,15 @@ void read_view(Asset& asset, std::size_t index, Problems& problems) {
     if (!buffer_index || *buffer_index >= asset.buffers.size() || !length) return;
     if (find(json, "byteOffset") != nullptr && !unsigned_at(json, "byteOffset")) return;
     const std::uint64_t offset = unsigned_at(json, "byteOffset").value_or(0);
-    const auto declared = unsigned_at(*element_at(asset.json, "buffers", *buffer_index), "byteLength");
+    const auto declared =
+        unsigned_at(*element_at(asset.json, "buffers", *buffer_index), "byteLength");
     if (!declared) return;
     if (offset > *declared || *length > *declared - offset) {
         // The validator points at the offset where that alone is out of the buffer.
         const char* const part = offset >= *declared ? "/byteOffset" : "/byteLength";
         problems.error("BUFFER_VIEW_TOO_LONG", where + part, "buffer view leaves its buffer",
-                       fmt::format("offset {} + length {}, but buffer {} has {} bytes", offset, *length,
-                                   *buffer_index, *declared));
+                       fmt::format("offset {} + length {}, but buffer {} has {} bytes", offset,
+                                   *length, *buffer_index, *declared));
         return;
     }
     View& view = asset.views[index];

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "scene/gltf/json.h"
+#include "scene/gltf/problems.h"
+
 #include <cstdint>
 #include <limits>
 #include <span>
 #include <string_view>
-
-#include "scene/gltf/json.h"
-#include "scene/gltf/problems.h"
 
 namespace facet::scene::gltf {
 
@@ -18,8 +18,8 @@ enum class Kind : std::uint8_t {
     integer,
     number,
     string,
-    object,    ///< of `shape`
-    objects,   ///< array of `shape`
+    object,   ///< of `shape`
+    objects,  ///< array of `shape`
     integers,
     numbers,
     strings,
@@ -36,26 +36,26 @@ struct Rule {
     bool is_required = false;
     double low = -std::numeric_limits<double>::infinity();
     double high = std::numeric_limits<double>::infinity();
-    bool excludes_low = false;          ///< low itself is out
+    bool excludes_low = false;  ///< low itself is out
     bool excludes_high = false;
-    std::string_view words = {};        ///< "A|B": the strings or integers allowed
-    std::string_view lengths = {};      ///< "3|4": the array lengths allowed
-    bool is_unique = false;             ///< no two elements alike
-    std::string_view refers_to = {};    ///< path of the array that the index is into
-    std::string_view needs = {};        ///< property that must stand beside
+    std::string_view words = {};      ///< "A|B": the strings or integers allowed
+    std::string_view lengths = {};    ///< "3|4": the array lengths allowed
+    bool is_unique = false;           ///< no two elements alike
+    std::string_view refers_to = {};  ///< path of the array that the index is into
+    std::string_view needs = {};      ///< property that must stand beside
     const Shape* shape = nullptr;
 };
 
 struct Shape {
-    std::string_view name;              ///< what extensions say they extend
+    std::string_view name;  ///< what extensions say they extend
     std::span<const Rule> rules;
-    bool is_closed = true;              ///< no name, extensions and extras beyond the rules
+    bool is_closed = true;  ///< no name, extensions and extras beyond the rules
 };
 
 /// An extension object: where it may stand and what is in it. No shape: nothing is known of it.
 struct ExtensionRule {
     std::string_view name;
-    std::string_view host;              ///< Shape::name
+    std::string_view host;  ///< Shape::name
     const Shape* shape = nullptr;
 };
 
@@ -78,8 +78,8 @@ struct ExtensionRule {
 [[nodiscard]] const Shape& image_shape();
 [[nodiscard]] const Shape& sampler_shape();
 
-/// Adds every departure of `json` from the tables. Afterwards, where no error was added, every property has the
-/// type that the table says and every index an element.
+/// Adds every departure of `json` from the tables. Afterwards, where no error was added, every
+/// property has the type that the table says and every index an element.
 void check_schema(const Json& json, Problems& problems);
 
 }  // namespace facet::scene::gltf

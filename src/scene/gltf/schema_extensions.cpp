@@ -1,8 +1,8 @@
 // Shapes of the extension objects that the Khronos validator knows, and where each may stand.
 // SPDX-License-Identifier: MIT
-#include <array>
-
 #include "scene/gltf/schema.h"
+
+#include <array>
 
 namespace facet::scene::gltf {
 namespace {
@@ -16,7 +16,9 @@ Shape open_shape(std::string_view name, const std::array<Rule, count>& rules) {
 constexpr auto unit(std::string_view name) {
     return Rule{.name = name, .kind = Kind::number, .low = 0, .high = 1};
 }
-constexpr auto not_negative(std::string_view name) { return Rule{.name = name, .kind = Kind::number, .low = 0}; }
+constexpr auto not_negative(std::string_view name) {
+    return Rule{.name = name, .kind = Kind::number, .low = 0};
+}
 Rule map(std::string_view name) {
     return {.name = name, .kind = Kind::object, .shape = &texture_info_shape()};
 }
@@ -28,14 +30,16 @@ constexpr auto unit_color(std::string_view name, std::string_view lengths = "3")
 }
 
 const Shape& anisotropy() {
-    static const std::array rules{unit("anisotropyStrength"), Rule{.name = "anisotropyRotation", .kind = Kind::number},
+    static const std::array rules{unit("anisotropyStrength"),
+                                  Rule{.name = "anisotropyRotation", .kind = Kind::number},
                                   map("anisotropyTexture")};
     static const Shape shape = open_shape("anisotropy", rules);
     return shape;
 }
 const Shape& clearcoat() {
-    static const std::array rules{unit("clearcoatFactor"), map("clearcoatTexture"), unit("clearcoatRoughnessFactor"),
-                                  map("clearcoatRoughnessTexture"), normal_map("clearcoatNormalTexture")};
+    static const std::array rules{
+        unit("clearcoatFactor"), map("clearcoatTexture"), unit("clearcoatRoughnessFactor"),
+        map("clearcoatRoughnessTexture"), normal_map("clearcoatNormalTexture")};
     static const Shape shape = open_shape("clearcoat", rules);
     return shape;
 }
@@ -66,21 +70,23 @@ const Shape& iridescence() {
     return shape;
 }
 const Shape& specular_glossiness() {
-    static const std::array rules{unit_color("diffuseFactor", "4"), map("diffuseTexture"), unit_color("specularFactor"),
-                                  unit("glossinessFactor"), map("specularGlossinessTexture")};
+    static const std::array rules{unit_color("diffuseFactor", "4"), map("diffuseTexture"),
+                                  unit_color("specularFactor"), unit("glossinessFactor"),
+                                  map("specularGlossinessTexture")};
     static const Shape shape = open_shape("specularGlossiness", rules);
     return shape;
 }
 const Shape& sheen() {
-    static const std::array rules{unit_color("sheenColorFactor"), map("sheenColorTexture"), unit("sheenRoughnessFactor"),
-                                  map("sheenRoughnessTexture")};
+    static const std::array rules{unit_color("sheenColorFactor"), map("sheenColorTexture"),
+                                  unit("sheenRoughnessFactor"), map("sheenRoughnessTexture")};
     static const Shape shape = open_shape("sheen", rules);
     return shape;
 }
 const Shape& specular() {
     static const std::array rules{
         unit("specularFactor"), map("specularTexture"),
-        Rule{.name = "specularColorFactor", .kind = Kind::numbers, .low = 0, .lengths = "3"}, map("specularColorTexture")};
+        Rule{.name = "specularColorFactor", .kind = Kind::numbers, .low = 0, .lengths = "3"},
+        map("specularColorTexture")};
     static const Shape shape = open_shape("specular", rules);
     return shape;
 }
@@ -104,16 +110,27 @@ const Shape& empty() {
 
 const Shape& spot() {
     static constexpr double half_pi = 1.5707963267948966;
-    static const std::array rules{
-        Rule{.name = "innerConeAngle", .kind = Kind::number, .low = 0, .high = half_pi, .excludes_high = true},
-        Rule{.name = "outerConeAngle", .kind = Kind::number, .low = 0, .high = half_pi, .excludes_low = true}};
+    static const std::array rules{Rule{.name = "innerConeAngle",
+                                       .kind = Kind::number,
+                                       .low = 0,
+                                       .high = half_pi,
+                                       .excludes_high = true},
+                                  Rule{.name = "outerConeAngle",
+                                       .kind = Kind::number,
+                                       .low = 0,
+                                       .high = half_pi,
+                                       .excludes_low = true}};
     static const Shape shape = open_shape("spot", rules);
     return shape;
 }
 const Shape& lights() {
     static const std::array light_rules{
-        unit_color("color"), not_negative("intensity"), Rule{.name = "spot", .kind = Kind::object, .shape = &spot()},
-        Rule{.name = "type", .kind = Kind::string, .is_required = true, .words = "directional|point|spot"},
+        unit_color("color"), not_negative("intensity"),
+        Rule{.name = "spot", .kind = Kind::object, .shape = &spot()},
+        Rule{.name = "type",
+             .kind = Kind::string,
+             .is_required = true,
+             .words = "directional|point|spot"},
         Rule{.name = "range", .kind = Kind::number, .low = 0, .excludes_low = true}};
     static const Shape light = open_shape("light", light_rules);
     static const std::array rules{
@@ -122,13 +139,16 @@ const Shape& lights() {
     return shape;
 }
 const Shape& light_use() {
-    static const std::array rules{Rule{.name = "light", .kind = Kind::integer, .is_required = true,
+    static const std::array rules{Rule{.name = "light",
+                                       .kind = Kind::integer,
+                                       .is_required = true,
                                        .refers_to = "extensions/KHR_lights_punctual/lights"}};
     static const Shape shape = open_shape("lightUse", rules);
     return shape;
 }
 const Shape& variants() {
-    static const std::array variant_rules{Rule{.name = "name", .kind = Kind::string, .is_required = true}};
+    static const std::array variant_rules{
+        Rule{.name = "name", .kind = Kind::string, .is_required = true}};
     static const Shape variant = open_shape("variant", variant_rules);
     static const std::array rules{
         Rule{.name = "variants", .kind = Kind::objects, .is_required = true, .shape = &variant}};
@@ -137,9 +157,15 @@ const Shape& variants() {
 }
 const Shape& variant_use() {
     static const std::array mapping_rules{
-        Rule{.name = "variants", .kind = Kind::integers, .is_required = true, .is_unique = true,
+        Rule{.name = "variants",
+             .kind = Kind::integers,
+             .is_required = true,
+             .is_unique = true,
              .refers_to = "extensions/KHR_materials_variants/variants"},
-        Rule{.name = "material", .kind = Kind::integer, .is_required = true, .refers_to = "materials"}};
+        Rule{.name = "material",
+             .kind = Kind::integer,
+             .is_required = true,
+             .refers_to = "materials"}};
     static const Shape mapping = open_shape("variantMapping", mapping_rules);
     static const std::array rules{
         Rule{.name = "mappings", .kind = Kind::objects, .is_required = true, .shape = &mapping}};
@@ -155,7 +181,8 @@ const Shape& texture_transform() {
     return shape;
 }
 const Shape& webp() {
-    static const std::array rules{Rule{.name = "source", .kind = Kind::integer, .refers_to = "images"}};
+    static const std::array rules{
+        Rule{.name = "source", .kind = Kind::integer, .refers_to = "images"}};
     static const Shape shape = open_shape("webp", rules);
     return shape;
 }
@@ -165,7 +192,8 @@ const Shape& visibility() {
     return shape;
 }
 const Shape& animation_pointer() {
-    static const std::array rules{Rule{.name = "pointer", .kind = Kind::string, .is_required = true}};
+    static const std::array rules{
+        Rule{.name = "pointer", .kind = Kind::string, .is_required = true}};
     static const Shape shape = open_shape("animationPointer", rules);
     return shape;
 }

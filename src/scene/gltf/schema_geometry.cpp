@@ -1,8 +1,8 @@
 // Shapes of buffers, views, accessors, meshes and skins (glTF 2.0, chapter 5).
 // SPDX-License-Identifier: MIT
-#include <array>
-
 #include "scene/gltf/schema.h"
+
+#include <array>
 
 namespace facet::scene::gltf {
 namespace {
@@ -10,9 +10,12 @@ namespace {
 constexpr double int_max = 2147483647.0;
 constexpr double size_max = 9007199254740991.0;  // 2^53 - 1
 
-constexpr auto buffer_rules = std::to_array<Rule>(
-    {{.name = "uri", .kind = Kind::string},
-     {.name = "byteLength", .kind = Kind::integer, .is_required = true, .low = 1, .high = size_max}});
+constexpr auto buffer_rules = std::to_array<Rule>({{.name = "uri", .kind = Kind::string},
+                                                   {.name = "byteLength",
+                                                    .kind = Kind::integer,
+                                                    .is_required = true,
+                                                    .low = 1,
+                                                    .high = size_max}});
 constexpr Shape buffer{.name = "buffer", .rules = buffer_rules};
 
 constexpr auto view_rules = std::to_array<Rule>(
@@ -26,7 +29,10 @@ constexpr Shape view{.name = "bufferView", .rules = view_rules};
 constexpr auto sparse_index_rules = std::to_array<Rule>(
     {{.name = "bufferView", .kind = Kind::integer, .is_required = true, .refers_to = "bufferViews"},
      {.name = "byteOffset", .kind = Kind::integer, .low = 0, .high = int_max},
-     {.name = "componentType", .kind = Kind::integer, .is_required = true, .words = "5121|5123|5125"}});
+     {.name = "componentType",
+      .kind = Kind::integer,
+      .is_required = true,
+      .words = "5121|5123|5125"}});
 constexpr Shape sparse_indices{.name = "accessorSparseIndices", .rules = sparse_index_rules};
 
 constexpr auto sparse_value_rules = std::to_array<Rule>(
@@ -42,12 +48,21 @@ constexpr Shape sparse{.name = "accessorSparse", .rules = sparse_rules};
 
 constexpr auto accessor_rules = std::to_array<Rule>(
     {{.name = "bufferView", .kind = Kind::integer, .refers_to = "bufferViews"},
-     {.name = "byteOffset", .kind = Kind::integer, .low = 0, .high = size_max, .needs = "bufferView"},
-     {.name = "componentType", .kind = Kind::integer, .is_required = true,
+     {.name = "byteOffset",
+      .kind = Kind::integer,
+      .low = 0,
+      .high = size_max,
+      .needs = "bufferView"},
+     {.name = "componentType",
+      .kind = Kind::integer,
+      .is_required = true,
       .words = "5120|5121|5122|5123|5125|5126"},
      {.name = "normalized", .kind = Kind::boolean},
      {.name = "count", .kind = Kind::integer, .is_required = true, .low = 1, .high = size_max},
-     {.name = "type", .kind = Kind::string, .is_required = true, .words = "SCALAR|VEC2|VEC3|VEC4|MAT2|MAT3|MAT4"},
+     {.name = "type",
+      .kind = Kind::string,
+      .is_required = true,
+      .words = "SCALAR|VEC2|VEC3|VEC4|MAT2|MAT3|MAT4"},
      {.name = "max", .kind = Kind::numbers, .lengths = "1|2|3|4|9|16"},
      {.name = "min", .kind = Kind::numbers, .lengths = "1|2|3|4|9|16"},
      {.name = "sparse", .kind = Kind::object, .shape = &sparse}});
@@ -69,7 +84,11 @@ constexpr Shape mesh{.name = "mesh", .rules = mesh_rules};
 constexpr auto skin_rules = std::to_array<Rule>(
     {{.name = "inverseBindMatrices", .kind = Kind::integer, .refers_to = "accessors"},
      {.name = "skeleton", .kind = Kind::integer, .refers_to = "nodes"},
-     {.name = "joints", .kind = Kind::integers, .is_required = true, .is_unique = true, .refers_to = "nodes"}});
+     {.name = "joints",
+      .kind = Kind::integers,
+      .is_required = true,
+      .is_unique = true,
+      .refers_to = "nodes"}});
 constexpr Shape skin{.name = "skin", .rules = skin_rules};
 
 }  // namespace

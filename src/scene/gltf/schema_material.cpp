@@ -1,8 +1,8 @@
 // Shapes of materials, textures, images and samplers (glTF 2.0, chapter 5).
 // SPDX-License-Identifier: MIT
-#include <array>
-
 #include "scene/gltf/schema.h"
+
+#include <array>
 
 namespace facet::scene::gltf {
 namespace {
@@ -43,15 +43,17 @@ constexpr auto material_rules = std::to_array<Rule>(
      {.name = "doubleSided", .kind = Kind::boolean}});
 constexpr Shape material{.name = "material", .rules = material_rules};
 
-constexpr auto texture_rules = std::to_array<Rule>(
-    {{.name = "sampler", .kind = Kind::integer, .refers_to = "samplers"},
-     {.name = "source", .kind = Kind::integer, .refers_to = "images"}});
+constexpr auto texture_rules =
+    std::to_array<Rule>({{.name = "sampler", .kind = Kind::integer, .refers_to = "samplers"},
+                         {.name = "source", .kind = Kind::integer, .refers_to = "images"}});
 constexpr Shape texture{.name = "texture", .rules = texture_rules};
 
-constexpr auto image_rules = std::to_array<Rule>(
-    {{.name = "uri", .kind = Kind::string},
-     {.name = "mimeType", .kind = Kind::string},
-     {.name = "bufferView", .kind = Kind::integer, .refers_to = "bufferViews", .needs = "mimeType"}});
+constexpr auto image_rules = std::to_array<Rule>({{.name = "uri", .kind = Kind::string},
+                                                  {.name = "mimeType", .kind = Kind::string},
+                                                  {.name = "bufferView",
+                                                   .kind = Kind::integer,
+                                                   .refers_to = "bufferViews",
+                                                   .needs = "mimeType"}});
 constexpr Shape image{.name = "image", .rules = image_rules};
 
 constexpr auto sampler_rules = std::to_array<Rule>(

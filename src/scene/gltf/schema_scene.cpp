@@ -1,8 +1,8 @@
 // Shapes of scenes, nodes, cameras, animations and of the document itself (glTF 2.0, chapter 5).
 // SPDX-License-Identifier: MIT
-#include <array>
-
 #include "scene/gltf/schema.h"
+
+#include <array>
 
 namespace facet::scene::gltf {
 namespace {
@@ -37,16 +37,21 @@ constexpr auto perspective_rules = std::to_array<Rule>(
      {.name = "znear", .kind = Kind::number, .is_required = true, .low = 0, .excludes_low = true}});
 constexpr Shape perspective{.name = "cameraPerspective", .rules = perspective_rules};
 
-constexpr auto camera_rules = std::to_array<Rule>(
-    {{.name = "orthographic", .kind = Kind::object, .shape = &orthographic},
-     {.name = "perspective", .kind = Kind::object, .shape = &perspective},
-     {.name = "type", .kind = Kind::string, .is_required = true, .words = "orthographic|perspective"}});
+constexpr auto camera_rules =
+    std::to_array<Rule>({{.name = "orthographic", .kind = Kind::object, .shape = &orthographic},
+                         {.name = "perspective", .kind = Kind::object, .shape = &perspective},
+                         {.name = "type",
+                          .kind = Kind::string,
+                          .is_required = true,
+                          .words = "orthographic|perspective"}});
 constexpr Shape camera{.name = "camera", .rules = camera_rules};
 
-constexpr auto target_rules = std::to_array<Rule>(
-    {{.name = "node", .kind = Kind::integer, .refers_to = "nodes"},
-     {.name = "path", .kind = Kind::string, .is_required = true,
-      .words = "translation|rotation|scale|weights|pointer"}});
+constexpr auto target_rules =
+    std::to_array<Rule>({{.name = "node", .kind = Kind::integer, .refers_to = "nodes"},
+                         {.name = "path",
+                          .kind = Kind::string,
+                          .is_required = true,
+                          .words = "translation|rotation|scale|weights|pointer"}});
 constexpr Shape target{.name = "animationChannelTarget", .rules = target_rules};
 
 constexpr auto channel_rules = std::to_array<Rule>(
@@ -62,13 +67,17 @@ constexpr Shape animation_sampler{.name = "animationSampler", .rules = animation
 
 constexpr auto animation_rules = std::to_array<Rule>(
     {{.name = "channels", .kind = Kind::objects, .is_required = true, .shape = &channel},
-     {.name = "samplers", .kind = Kind::objects, .is_required = true, .shape = &animation_sampler}});
+     {.name = "samplers",
+      .kind = Kind::objects,
+      .is_required = true,
+      .shape = &animation_sampler}});
 constexpr Shape animation{.name = "animation", .rules = animation_rules};
 
-constexpr auto asset_rules = std::to_array<Rule>({{.name = "copyright", .kind = Kind::string},
-                                                  {.name = "generator", .kind = Kind::string},
-                                                  {.name = "version", .kind = Kind::string, .is_required = true},
-                                                  {.name = "minVersion", .kind = Kind::string}});
+constexpr auto asset_rules =
+    std::to_array<Rule>({{.name = "copyright", .kind = Kind::string},
+                         {.name = "generator", .kind = Kind::string},
+                         {.name = "version", .kind = Kind::string, .is_required = true},
+                         {.name = "minVersion", .kind = Kind::string}});
 constexpr Shape asset{.name = "asset", .rules = asset_rules};
 
 }  // namespace
@@ -81,7 +90,10 @@ const Shape& animation_shape() { return animation; }
 const Shape& document_shape() {
     static const auto rules = std::to_array<Rule>(
         {{.name = "extensionsUsed", .kind = Kind::strings, .is_unique = true},
-         {.name = "extensionsRequired", .kind = Kind::strings, .is_unique = true, .needs = "extensionsUsed"},
+         {.name = "extensionsRequired",
+          .kind = Kind::strings,
+          .is_unique = true,
+          .needs = "extensionsUsed"},
          {.name = "accessors", .kind = Kind::objects, .shape = &accessor_shape()},
          {.name = "animations", .kind = Kind::objects, .shape = &animation},
          {.name = "asset", .kind = Kind::object, .is_required = true, .shape = &asset},

@@ -1,12 +1,14 @@
 // The walk that holds a document to the tables of shapes.
 // SPDX-License-Identifier: MIT
-#include <cmath>
-#include <set>
-#include <string>
+#include "scene/gltf/schema.h"
 
 #include <spdlog/fmt/fmt.h>
 
-#include "scene/gltf/schema.h"
+#include <cmath>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
 
 namespace facet::scene::gltf {
 namespace {
@@ -14,8 +16,9 @@ namespace {
 struct Walk {
     const Json& root;
     Problems& problems;
-    std::set<std::string, std::less<>> declared;   ///< extensionsUsed
-    std::set<std::string> referenced;              ///< "accessors/3", for objects nobody uses
+    std::set<std::string, std::less<>> declared;  ///< extensionsUsed
+    std::map<std::string_view, std::vector<bool>>
+        referenced;  ///< by array, for objects nobody uses
 
     void object(const Json& value, const Shape& shape, const Pointer& at);
     void property(const Json& value, const Rule& rule, const Pointer& at);
@@ -24,7 +27,8 @@ struct Walk {
     void reference(const Json& value, const Rule& rule, const Pointer& at);
     void index_map(const Json& value, const Rule& rule, const Pointer& at);
     void extensions(const Json& value, const Shape& shape, const Pointer& at);
-    void extension(const std::string& name, const Json& value, const Shape& shape, const Pointer& at);
+    void extension(const std::string& name, const Json& value, const Shape& shape,
+                   const Pointer& at);
     bool matches(const Json& value, Kind kind, const Pointer& at, bool is_element);
 };
 
@@ -39,48 +43,68 @@ bool is_listed(std::string_view list, std::string_view word) {
 
 std::string_view kind_name(Kind kind) {
     switch (kind) {
-        case Kind::boolean: return "boolean";
-        case Kind::integer: return "integer";
-        case Kind::number: return "number";
-        case Kind::string: return "string";
+        case Kind::boolean:
+            return "boolean";
+        case Kind::integer:
+            return "integer";
+        case Kind::number:
+            return "number";
+        case Kind::string:
+            return "string";
         case Kind::object:
-        case Kind::index_map: return "object";
+        case Kind::index_map:
+            return "object";
         case Kind::objects:
         case Kind::integers:
         case Kind::numbers:
         case Kind::strings:
-        case Kind::index_maps: return "array";
-        case Kind::any: break;
+        case Kind::index_maps:
+            return "array";
+        case Kind::any:
+            break;
     }
     return "value";
 }
 
 bool has_kind(const Json& value, Kind kind) {
     switch (kind) {
-        case Kind::boolean: return value.is_boolean();
-        case Kind::integer: return value.is_number_integer();
-        case Kind::number: return value.is_number();
-        case Kind::string: return value.is_string();
+        case Kind::boolean:
+            return value.is_boolean();
+        case Kind::integer:
+            return value.is_number_integer();
+        case Kind::number:
+            return value.is_number();
+        case Kind::string:
+            return value.is_string();
         case Kind::object:
-        case Kind::index_map: return value.is_object();
+        case Kind::index_map:
+            return value.is_object();
         case Kind::objects:
         case Kind::integers:
         case Kind::numbers:
         case Kind::strings:
-        case Kind::index_maps: return value.is_array();
-        case Kind::any: break;
+        case Kind::index_maps:
+            return value.is_array();
+        case Kind::any:
+            break;
     }
     return true;
 }
 
 Kind element_kind(Kind kind) {
     switch (kind) {
-        case Kind::objects: return Kind::object;
-        case Kind::integers: return Kind::integer;
-        case Kind::numbers: return Kind::number;
-        case Kind::strings: return Kind::string;
-        case Kind::index_maps: return Kind::index_map;
-        default: return Kind::any;
+        case Kind::objects:
+            return Kind::object;
+        case Kind::integers:
+            return Kind::integer;
+        case Kind::numbers:
+            return Kind::number;
+        case Kind::strings:
+            return Kind::string;
+        case Kind::index_maps:
+            return Kind::index_map;
+        default:
+            return Kind::any;
     }
 }
 
@@ -101,10 +125,14 @@ void Walk::reference(const Json& value, const Rule& rule, const Pointer& at) {
     const Json* const target = find_path(root, rule.refers_to);
     const std::size_t count = target != nullptr && target->is_array() ? target->size() : 0;
     if (*index >= count)
-        problems.error("UNRESOLVED_REFERENCE", at.text(), fmt::format("no such element of {}", rule.refers_to),
+        problems.error("UNRESOLVED_REFERENCE", at.text(),
+                       fmt::format("no such element of {}", rule.refers_to),
                        fmt::format("{}, but there are {}", *index, count));
-    else
-        referenced.insert(fmt::format("{}/{}", rule.refers_to, *index));
+    else {
+        std::vector<bool>& marks = referenced[rule.refers_to];
+        marks.resize(count);
+        marks[*index] = true;
+    }
 }
 
 /// One value of the right kind against range, list and reference.
@@ -122,7 +150,8 @@ void Walk::element(const Json& value, const Rule& rule, const Pointer& at) {
     const bool is_high = rule.excludes_high ? number >= rule.high : number > rule.high;
     if (is_low || is_high || !std::isfinite(number))
         problems.error("VALUE_NOT_IN_RANGE", at.text(), "out of range",
-                       fmt::format("{}, range {}{} to {}", number, rule.excludes_low ? "above " : "", rule.low, rule.high));
+                       fmt::format("{}, range {}{} to {}", number,
+                                   rule.excludes_low ? "above " : "", rule.low, rule.high));
 }
 
 void Walk::array(const Json& value, const Rule& rule, const Pointer& at) {
@@ -143,7 +172,8 @@ void Walk::array(const Json& value, const Rule& rule, const Pointer& at) {
             index_map(value[i], rule, here);
         else
             element(value[i], rule, here);
-        if (rule.is_unique && !seen.insert(value[i].dump(-1, ' ', false, Json::error_handler_t::replace)).second)
+        if (rule.is_unique &&
+            !seen.insert(value[i].dump(-1, ' ', false, Json::error_handler_t::replace)).second)
             problems.error("DUPLICATE_ELEMENTS", here.text(), "element twice", brief(value[i]));
     }
 }
@@ -159,20 +189,26 @@ void Walk::index_map(const Json& value, const Rule& rule, const Pointer& at) {
 void Walk::property(const Json& value, const Rule& rule, const Pointer& at) {
     if (!matches(value, rule.kind, at, false)) return;
     switch (rule.kind) {
-        case Kind::object: return object(value, *rule.shape, at);
-        case Kind::index_map: return index_map(value, rule, at);
+        case Kind::object:
+            return object(value, *rule.shape, at);
+        case Kind::index_map:
+            return index_map(value, rule, at);
         case Kind::objects:
         case Kind::integers:
         case Kind::numbers:
         case Kind::strings:
-        case Kind::index_maps: return array(value, rule, at);
-        default: return element(value, rule, at);
+        case Kind::index_maps:
+            return array(value, rule, at);
+        default:
+            return element(value, rule, at);
     }
 }
 
-void Walk::extension(const std::string& name, const Json& value, const Shape& shape, const Pointer& at) {
+void Walk::extension(const std::string& name, const Json& value, const Shape& shape,
+                     const Pointer& at) {
     if (!declared.contains(name)) {
-        problems.error("UNDECLARED_EXTENSION", at.text(), "extension is not declared in extensionsUsed", name);
+        problems.error("UNDECLARED_EXTENSION", at.text(),
+                       "extension is not declared in extensionsUsed", name);
         return;
     }
     if (!matches(value, Kind::object, at, false)) return;
@@ -184,15 +220,20 @@ void Walk::extension(const std::string& name, const Json& value, const Shape& sh
         if (rule.shape != nullptr) object(value, *rule.shape, at);
         return;
     }
-    if (is_known) problems.error("UNEXPECTED_EXTENSION_OBJECT", at.text(), "extension is not for this object", name);
+    if (is_known)
+        problems.error("UNEXPECTED_EXTENSION_OBJECT", at.text(), "extension is not for this object",
+                       name);
 }
 
 void Walk::extensions(const Json& value, const Shape& shape, const Pointer& at) {
     if (!matches(value, Kind::object, at, false)) return;
-    for (const auto& [name, content] : value.items()) extension(name, content, shape, at / std::string_view(name));
+    for (const auto& [name, content] : value.items())
+        extension(name, content, shape, at / std::string_view(name));
     if (shape.name == "material" && value.size() > 1 &&
-        (value.contains("KHR_materials_unlit") || value.contains("KHR_materials_pbrSpecularGlossiness")))
-        problems.note(Severity::warning, "MULTIPLE_EXTENSIONS", at.text(), "extensions that exclude each other");
+        (value.contains("KHR_materials_unlit") ||
+         value.contains("KHR_materials_pbrSpecularGlossiness")))
+        problems.note(Severity::warning, "MULTIPLE_EXTENSIONS", at.text(),
+                      "extensions that exclude each other");
 }
 
 const Rule* find_rule(const Shape& shape, std::string_view name) {
@@ -213,23 +254,27 @@ void Walk::object(const Json& value, const Shape& shape, const Pointer& at) {
             extensions(content, shape, here);
         } else if (name == "extras") {
             if (!content.is_object())
-                problems.note(Severity::information, "NON_OBJECT_EXTRAS", here.text(), "extras should be an object");
+                problems.note(Severity::information, "NON_OBJECT_EXTRAS", here.text(),
+                              "extras should be an object");
         } else if (name == "name") {
             matches(content, Kind::string, here, false);
         } else if (shape.is_closed) {
-            problems.note(Severity::warning, "UNEXPECTED_PROPERTY", here.text(), "unexpected property");
+            problems.note(Severity::warning, "UNEXPECTED_PROPERTY", here.text(),
+                          "unexpected property");
         }
     }
     for (const Rule& rule : shape.rules)
         if (rule.is_required && find(value, rule.name) == nullptr)
-            problems.error("UNDEFINED_PROPERTY", at.text(), fmt::format("property '{}' must be defined", rule.name));
+            problems.error("UNDEFINED_PROPERTY", at.text(),
+                           fmt::format("property '{}' must be defined", rule.name));
 }
 
-void note_unused(const Walk& walk) {
-    for (const std::string_view name : {"accessors", "buffers", "bufferViews", "cameras", "images", "materials",
-                                        "meshes", "nodes", "samplers", "skins", "textures"})
+void note_unused(Walk& walk) {
+    for (const std::string_view name :
+         {"accessors", "buffers", "bufferViews", "cameras", "images", "materials", "meshes",
+          "nodes", "samplers", "skins", "textures"})
         for (std::size_t i = 0; i < count_at(walk.root, name); ++i)
-            if (!walk.referenced.contains(fmt::format("{}/{}", name, i)))
+            if (walk.referenced[name].empty() || !walk.referenced[name][i])
                 walk.problems.note(Severity::information, "UNUSED_OBJECT", pointer_text(name, i),
                                    "nothing uses this object");
 }
@@ -242,8 +287,6 @@ void check_schema(const Json& json, Problems& problems) {
         if (const Json& name = *element_at(json, "extensionsUsed", i); name.is_string())
             walk.declared.insert(name.get<std::string>());
     walk.object(json, document_shape(), Pointer());
-    for (std::size_t i = 0; i < count_at(json, "scenes"); ++i)  // scenes make nodes used already
-        walk.referenced.insert(fmt::format("scenes/{}", i));
     note_unused(walk);
 }
 

@@ -9,26 +9,42 @@
 namespace facet::scene::gltf {
 namespace {
 
-/// Errors of the specification that leave the picture whole: what they concern is recomputed, clamped, skipped
-/// or ignored.
+/// Errors of the specification that leave the picture whole: what they concern is recomputed,
+/// clamped, skipped or ignored.
 constexpr auto harmless = std::to_array<std::string_view>(
     {"MESH_PRIMITIVE_POSITION_ACCESSOR_WITHOUT_BOUNDS",  // bounds are recomputed
-     "ACCESSOR_MIN_MISMATCH", "ACCESSOR_MAX_MISMATCH", "ACCESSOR_NON_CLAMPED",
-     "ROTATION_NON_UNIT",                                // scaled to 1
-     "UNDECLARED_EXTENSION", "UNEXPECTED_EXTENSION_OBJECT", "UNUSED_EXTENSION_REQUIRED", "NON_REQUIRED_EXTENSION",
-     "DUPLICATE_ELEMENTS",                               // indices twice; child twice is NODE_PARENT_OVERRIDE
-     "BUFFER_VIEW_TARGET_OVERRIDE", "BUFFER_DATA_URI_MIME_TYPE_INVALID",
-     "MESH_PRIMITIVE_NO_TANGENT_SPACE", "MESH_PRIMITIVE_TOO_FEW_TEXCOORDS", "MESH_PRIMITIVE_INVALID_ATTRIBUTE",
-     "MESH_PRIMITIVE_INDEXED_SEMANTIC_CONTINUITY", "MESH_PRIMITIVE_MORPH_TARGET_NO_BASE_ACCESSOR",
-     "NODE_WEIGHTS_INVALID_IGNORED", "NODE_SKIN_WITH_NON_SKINNED_MESH", "SKIN_NO_COMMON_ROOT", "NODE_SKIN_NO_SCENE",
-     "SKIN_SKELETON_INVALID", "IMAGE_MIME_TYPE_INVALID", "IMAGE_NON_ENABLED_MIME_TYPE",
-     "TEXTURE_INVALID_IMAGE_MIME_TYPE", "KHR_MATERIALS_VARIANTS_NON_UNIQUE_VARIANT", "NODE_MATRIX_NON_TRS",
+     "ACCESSOR_MIN_MISMATCH",
+     "ACCESSOR_MAX_MISMATCH",
+     "ACCESSOR_NON_CLAMPED",
+     "ROTATION_NON_UNIT",  // scaled to 1
+     "UNDECLARED_EXTENSION",
+     "UNEXPECTED_EXTENSION_OBJECT",
+     "UNUSED_EXTENSION_REQUIRED",
+     "NON_REQUIRED_EXTENSION",
+     "DUPLICATE_ELEMENTS",  // indices twice; child twice is NODE_PARENT_OVERRIDE
+     "BUFFER_VIEW_TARGET_OVERRIDE",
+     "BUFFER_DATA_URI_MIME_TYPE_INVALID",
+     "MESH_PRIMITIVE_NO_TANGENT_SPACE",
+     "MESH_PRIMITIVE_TOO_FEW_TEXCOORDS",
+     "MESH_PRIMITIVE_INVALID_ATTRIBUTE",
+     "MESH_PRIMITIVE_INDEXED_SEMANTIC_CONTINUITY",
+     "MESH_PRIMITIVE_MORPH_TARGET_NO_BASE_ACCESSOR",
+     "NODE_WEIGHTS_INVALID_IGNORED",
+     "NODE_SKIN_WITH_NON_SKINNED_MESH",
+     "SKIN_NO_COMMON_ROOT",
+     "NODE_SKIN_NO_SCENE",
+     "SKIN_SKELETON_INVALID",
+     "IMAGE_MIME_TYPE_INVALID",
+     "IMAGE_NON_ENABLED_MIME_TYPE",
+     "TEXTURE_INVALID_IMAGE_MIME_TYPE",
+     "KHR_MATERIALS_VARIANTS_NON_UNIQUE_VARIANT",
+     "NODE_MATRIX_NON_TRS",
      "INVALID_EXTENSION_NAME_FORMAT"});
 
 /// Warnings of the validator that the user of a renderer wants to hear of too.
 constexpr auto audible = std::to_array<std::string_view>(
-    {"GLB_EXTRA_DATA", "GLB_UNKNOWN_CHUNK_TYPE", "BUFFER_GLB_CHUNK_TOO_BIG", "UNKNOWN_ASSET_MINOR_VERSION",
-     "CAMERA_YFOV_GEQUAL_PI", "NODE_SKINNED_MESH_WITHOUT_SKIN"});
+    {"GLB_EXTRA_DATA", "GLB_UNKNOWN_CHUNK_TYPE", "BUFFER_GLB_CHUNK_TOO_BIG",
+     "UNKNOWN_ASSET_MINOR_VERSION", "CAMERA_YFOV_GEQUAL_PI", "NODE_SKINNED_MESH_WITHOUT_SKIN"});
 
 template <class Table>
 bool has(const Table& table, std::string_view code) {
@@ -41,7 +57,8 @@ bool is_of_animation(const Problem& problem) {
            problem.code.starts_with("KHR_ANIMATION_");
 }
 
-/// Factors outside their range are clamped; lights and cameras are not, as no nearest right value is meant.
+/// Factors outside their range are clamped; lights and cameras are not, as no nearest right value
+/// is meant.
 bool is_clamped(const Problem& problem) {
     return problem.code == "VALUE_NOT_IN_RANGE" && problem.pointer.starts_with("/materials/");
 }
@@ -58,8 +75,8 @@ Verdict verdict_of(const Problem& problem) {
     if (problem.severity == Severity::error) {
         const bool is_limit = problem.error == base::ErrorCode::limit_reached;
         if (is_limit) return Verdict::error;
-        const bool is_downgraded = has(harmless, problem.code) || is_of_animation(problem) || is_clamped(problem) ||
-                                   is_harmless_emptiness(problem);
+        const bool is_downgraded = has(harmless, problem.code) || is_of_animation(problem) ||
+                                   is_clamped(problem) || is_harmless_emptiness(problem);
         return is_downgraded ? Verdict::warning : Verdict::error;
     }
     if (problem.code == "VALUE_NOT_IN_LIST" && !is_of_animation(problem)) {

@@ -7,9 +7,9 @@
 
 namespace facet::scene::gltf {
 
-/// Sets base color, opacity, metallic and roughness from the extension's factors. Lossy where the specular
-/// color of a dielectric is tinted.
-/// Source: the conversion of the extension's own text (Khronos, KHR_materials_pbrSpecularGlossiness, "Appendix").
+/// Sets base color, opacity, metallic and roughness from the extension's factors. Lossy where the
+/// specular color of a dielectric is tinted. Source: the conversion of the extension's own text
+/// (Khronos, KHR_materials_pbrSpecularGlossiness, "Appendix").
 void apply_specular_glossiness(const Json& extension, tables::MaterialValues& values);
 
 }  // namespace facet::scene::gltf

@@ -1,10 +1,10 @@
-// Where the nodes of a glTF model are: matrices or TRS, multiplied from the roots down without recursion.
-// SPDX-License-Identifier: MIT
+// Where the nodes of a glTF model are: matrices or TRS, multiplied from the roots down without
+// recursion. SPDX-License-Identifier: MIT
 #include "scene/gltf/transforms.h"
 
-#include <cmath>
-
 #include <spdlog/fmt/fmt.h>
+
+#include <cmath>
 
 namespace facet::scene::gltf {
 namespace {
@@ -21,8 +21,8 @@ math::Quat rotation_of(Import& import, const tinygltf::Node& node, std::size_t i
     if (r.size() != 4) return {1.0F, 0.0F, 0.0F, 0.0F};
     const double size = std::sqrt(r[0] * r[0] + r[1] * r[1] + r[2] * r[2] + r[3] * r[3]);
     if (std::fabs(size - 1.0) > 0.005)
-        import.warn(pointer_text("nodes", index, "/rotation"), "quaternion is not of length 1, scaled",
-                    fmt::format("{}", size));
+        import.warn(pointer_text("nodes", index, "/rotation"),
+                    "quaternion is not of length 1, scaled", fmt::format("{}", size));
     if (!(size > 1e-12)) return {1.0F, 0.0F, 0.0F, 0.0F};
     math::Quat q;
     q.w = static_cast<float>(r[3] / size);
@@ -37,7 +37,8 @@ Mat4 local_matrix(Import& import, std::size_t index) {
     if (node.matrix.size() == 16) {
         Mat4 matrix;
         for (std::size_t i = 0; i < 16; ++i)  // by columns, as GLM's
-            matrix[static_cast<int>(i / 4)][static_cast<int>(i % 4)] = static_cast<float>(node.matrix[i]);
+            matrix[static_cast<int>(i / 4)][static_cast<int>(i % 4)] =
+                static_cast<float>(node.matrix[i]);
         return matrix;
     }
     const Mat4 moved = glm::translate(Mat4(1.0F), to_vec3(node.translation, Vec3(0.0F)));
@@ -47,7 +48,8 @@ Mat4 local_matrix(Import& import, std::size_t index) {
 
 bool is_visible(const Json& json, std::size_t index) {
     const Json* const node = element_at(json, "nodes", index);
-    const Json* const visibility = node ? find_path(*node, "extensions/KHR_node_visibility") : nullptr;
+    const Json* const visibility =
+        node ? find_path(*node, "extensions/KHR_node_visibility") : nullptr;
     return visibility == nullptr || bool_at(*visibility, "visible").value_or(true);
 }
 
@@ -57,12 +59,14 @@ struct Visit {
     bool is_shown = false;
 };
 
-/// One walk down from `roots`; nodes seen before are left alone unless the walk would repeat for ever.
-base::Status walk(Import& import, const std::vector<int>& roots, bool is_shown, std::vector<bool>& seen,
-                  Transforms& out) {
+/// One walk down from `roots`; nodes seen before are left alone unless the walk would repeat for
+/// ever.
+base::Status walk(Import& import, const std::vector<int>& roots, bool is_shown,
+                  std::vector<bool>& seen, Transforms& out) {
     std::vector<Visit> stack;
     for (auto root = roots.rbegin(); root != roots.rend(); ++root)
-        stack.push_back({.node = static_cast<std::uint32_t>(*root), .depth = 1, .is_shown = is_shown});
+        stack.push_back(
+            {.node = static_cast<std::uint32_t>(*root), .depth = 1, .is_shown = is_shown});
     while (!stack.empty()) {
         const Visit visit = stack.back();
         stack.pop_back();
@@ -79,7 +83,8 @@ base::Status walk(Import& import, const std::vector<int>& roots, bool is_shown, 
         for (auto child = children.rbegin(); child != children.rend(); ++child) {
             const auto index = static_cast<std::uint32_t>(*child);
             if (index >= seen.size() || seen[index]) continue;
-            out.world_from_node[index] = out.world_from_node[visit.node] * local_matrix(import, index);
+            out.world_from_node[index] =
+                out.world_from_node[visit.node] * local_matrix(import, index);
             stack.push_back({.node = index, .depth = visit.depth + 1, .is_shown = is_node_shown});
         }
     }
@@ -94,7 +99,8 @@ base::Result<Transforms> place_nodes(Import& import, const std::vector<int>& roo
     std::vector<bool> is_child(count, false);
     for (const tinygltf::Node& node : import.model.nodes)
         for (const int child : node.children)
-            if (child >= 0 && static_cast<std::size_t>(child) < count) is_child[static_cast<std::size_t>(child)] = true;
+            if (child >= 0 && static_cast<std::size_t>(child) < count)
+                is_child[static_cast<std::size_t>(child)] = true;
     std::vector<int> others;  // joints may lie in no scene at all
     for (std::size_t i = 0; i < count; ++i) {
         if (is_child[i]) continue;
@@ -102,8 +108,10 @@ base::Result<Transforms> place_nodes(Import& import, const std::vector<int>& roo
         others.push_back(static_cast<int>(i));
     }
     std::vector<bool> seen(count, false);
-    if (auto walked = walk(import, roots, true, seen, out); !walked) return tl::unexpected(walked.error());
-    if (auto walked = walk(import, others, false, seen, out); !walked) return tl::unexpected(walked.error());
+    if (auto walked = walk(import, roots, true, seen, out); !walked)
+        return tl::unexpected(walked.error());
+    if (auto walked = walk(import, others, false, seen, out); !walked)
+        return tl::unexpected(walked.error());
     return out;
 }
 

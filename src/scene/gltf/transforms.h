@@ -2,17 +2,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "scene/gltf/import.h"
+
 #include <cstdint>
 #include <vector>
-
-#include "scene/gltf/import.h"
 
 namespace facet::scene::gltf {
 
 /// By node index. Nodes that no root reaches keep the identity.
 struct Transforms {
     std::vector<Mat4> world_from_node;
-    std::vector<std::uint32_t> in_scene;   ///< visible nodes of the scene shown, parents before children
+    std::vector<std::uint32_t>
+        in_scene;  ///< visible nodes of the scene shown, parents before children
 };
 
 /// Errors: limit_reached below limits.node_depth, input_invalid on a cycle.

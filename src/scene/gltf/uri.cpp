@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "scene/gltf/uri.h"
 
+#include <spdlog/fmt/fmt.h>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
 #include <optional>
-
-#include <spdlog/fmt/fmt.h>
 
 namespace facet::scene::gltf {
 namespace {
@@ -33,9 +33,11 @@ constexpr auto base64_table = make_base64_table();
 int digit_of(char c) { return base64_table[static_cast<unsigned char>(c)]; }
 
 base::Result<base::Bytes> decode_base64(std::string_view text, std::size_t max_bytes) {
-    if (text.size() % 4 != 0) return invalid("base64 is cut off", fmt::format("{} characters", text.size()));
+    if (text.size() % 4 != 0)
+        return invalid("base64 is cut off", fmt::format("{} characters", text.size()));
     std::size_t padding = 0;
-    while (padding < 2 && padding < text.size() && text[text.size() - 1 - padding] == '=') ++padding;
+    while (padding < 2 && padding < text.size() && text[text.size() - 1 - padding] == '=')
+        ++padding;
     const std::size_t size = text.size() / 4 * 3 - padding;
     if (size > max_bytes)
         return base::fail({.code = base::ErrorCode::limit_reached,
@@ -50,10 +52,11 @@ base::Result<base::Bytes> decode_base64(std::string_view text, std::size_t max_b
             const bool is_padding = at + i >= text.size() - padding;
             const int digit = is_padding ? 0 : digit_of(text[at + i]);
             if (digit < 0)
-                return invalid("not base64",
-                               fmt::format("character {:#04x} at {}",
-                                           static_cast<unsigned>(static_cast<unsigned char>(text[at + i])),
-                                           at + i));
+                return invalid(
+                    "not base64",
+                    fmt::format("character {:#04x} at {}",
+                                static_cast<unsigned>(static_cast<unsigned char>(text[at + i])),
+                                at + i));
             group = group << 6 | static_cast<std::uint32_t>(digit);
         }
         for (int shift = 16; shift >= 0 && filled < size; shift -= 8)
@@ -78,18 +81,24 @@ base::Result<std::string> percent_decoded(std::string_view uri) {
         }
         const auto high = i + 2 < uri.size() ? hex_digit(uri[i + 1]) : std::nullopt;
         const auto low = i + 2 < uri.size() ? hex_digit(uri[i + 2]) : std::nullopt;
-        if (!high || !low) return invalid("broken % escape in a URI", std::string(uri.substr(i, 3)));
+        if (!high || !low)
+            return invalid("broken % escape in a URI", std::string(uri.substr(i, 3)));
         out += static_cast<char>(*high * 16 + *low);
         i += 2;
     }
     return out;
 }
 
-/// Well-formed UTF-8: no overlong form, no surrogate, nothing above U+10FFFF (Unicode 15, table 3-7).
+/// Well-formed UTF-8: no overlong form, no surrogate, nothing above U+10FFFF (Unicode 15, table
+/// 3-7).
 bool is_utf8(std::string_view text) {
     for (std::size_t i = 0; i < text.size();) {
         const auto lead = static_cast<unsigned char>(text[i]);
-        const std::size_t length = lead < 0x80 ? 1 : lead >> 5 == 6 ? 2 : lead >> 4 == 14 ? 3 : lead >> 3 == 30 ? 4 : 0;
+        const std::size_t length = lead < 0x80       ? 1
+                                   : lead >> 5 == 6  ? 2
+                                   : lead >> 4 == 14 ? 3
+                                   : lead >> 3 == 30 ? 4
+                                                     : 0;
         if (length == 0 || length > text.size() - i) return false;
         std::uint32_t value = length == 1 ? lead : lead & (0xFFU >> (length + 1));
         for (std::size_t k = 1; k < length; ++k) {
@@ -98,7 +107,8 @@ bool is_utf8(std::string_view text) {
             value = value << 6 | (next & 0x3FU);
         }
         constexpr std::array<std::uint32_t, 5> smallest{0, 0, 0x80, 0x800, 0x10000};
-        if (value < smallest[length] || value > 0x10FFFF || (value >= 0xD800 && value <= 0xDFFF)) return false;
+        if (value < smallest[length] || value > 0x10FFFF || (value >= 0xD800 && value <= 0xDFFF))
+            return false;
         i += length;
     }
     return true;
@@ -128,10 +138,12 @@ bool is_data_uri(std::string_view uri) {
 
 base::Result<DataUri> decode_data_uri(std::string_view uri, std::size_t max_bytes) {
     const std::size_t comma = uri.find(',');
-    if (comma == std::string_view::npos) return invalid("data URI without a comma", std::string(uri.substr(0, 40)));
+    if (comma == std::string_view::npos)
+        return invalid("data URI without a comma", std::string(uri.substr(0, 40)));
     const std::string_view header = uri.substr(5, comma - 5);
     constexpr std::string_view encoding = ";base64";
-    if (!header.ends_with(encoding)) return invalid("data URI is not base64", std::string(header.substr(0, 80)));
+    if (!header.ends_with(encoding))
+        return invalid("data URI is not base64", std::string(header.substr(0, 80)));
     const std::string_view mime = header.substr(0, header.size() - encoding.size());
     auto bytes = decode_base64(uri.substr(comma + 1), max_bytes);
     if (!bytes) return tl::unexpected(bytes.error());
@@ -144,7 +156,8 @@ base::Result<std::string> decode_relative_uri(std::string_view uri) {
     if (uri.empty()) return invalid("empty URI", "");
     if (const std::string_view scheme = scheme_of(uri); scheme.size() > 1 && scheme != "file")
         return invalid("the network is never used", shown, "download it beside the model");
-    if (!scheme_of(uri).empty()) return invalid("outside the model's folder", shown, std::string(gate));
+    if (!scheme_of(uri).empty())
+        return invalid("outside the model's folder", shown, std::string(gate));
     auto path = percent_decoded(uri);
     if (!path) return path;
     if (path->find('\0') != std::string::npos) return invalid("NUL in a URI", shown);

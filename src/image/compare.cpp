@@ -1,0 +1,165 @@
+// RMSE, PSNR and largest error of two pictures.
+// SPDX-License-Identifier: MIT
+#include "image/compare.h"
+
+#include "image/flip.h"
+#include "math/color.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace facet::image {
+namespace {
+
+const Layer* find_layer(const Picture& picture, const std::string& name) {
+    const auto found = std::ranges::find(picture.layers, name, &Layer::name);
+    return found == picture.layers.end() ? nullptr : &*found;
+}
+const Layer* beauty(const Picture& picture) {
+    if (const Layer* unnamed = find_layer(picture, "")) return unnamed;
+    return picture.layers.empty() ? nullptr : &picture.layers.front();
+}
+
+/// A sample as a float: integers over their largest.
+float value_at(const Image& image, std::size_t index) {
+    switch (image.sample) {
+        case Sample::u8:
+            return static_cast<float>(image.as<std::uint8_t>()[index]) / 255.0F;
+        case Sample::u16:
+            return static_cast<float>(image.as<std::uint16_t>()[index]) / 65535.0F;
+        case Sample::f32:
+            return image.as<float>()[index];
+    }
+    return 0.0F;
+}
+
+float clipped(float v) { return v > 0.0F ? std::min(v, 1.0F) : 0.0F; }  // NaN -> 0
+
+/// R, G, B, A of pixel `i` of any channel count.
+std::array<float, 4> rgba_at(const Image& image, std::size_t i) {
+    const std::size_t first = i * image.channels;
+    const bool is_color = image.channels >= 3;
+    const bool has_alpha = image.channels == 2 || image.channels == 4;
+    const float r = value_at(image, first);
+    return {r, is_color ? value_at(image, first + 1) : r, is_color ? value_at(image, first + 2) : r,
+            has_alpha ? value_at(image, first + image.channels - 1) : 1.0F};
+}
+
+/// The values of a layer that is no colour: as they are, three channels at most, absent ones 0.
+Image as_stored(const Layer& layer) {
+    Image out(layer.image.size, 4, Sample::f32);
+    const auto to = out.as<float>();
+    const std::size_t count = std::min<std::size_t>(layer.image.channels, 3);
+    for (std::size_t i = 0; i < to.size() / 4; ++i) {
+        for (std::size_t c = 0; c < count; ++c)
+            to[i * 4 + c] = value_at(layer.image, i * layer.image.channels + c);
+        to[i * 4 + 3] = 1.0F;
+    }
+    return out;
+}
+
+/// |a - b|, where both being NaN, or the same infinity, is no difference and one of them is all of
+/// it.
+float distance(float a, float b) {
+    if (a == b || (std::isnan(a) && std::isnan(b))) return 0.0F;
+    const float d = std::fabs(a - b);
+    return std::isnan(d) ? std::numeric_limits<float>::infinity() : d;
+}
+
+/// Black, red, yellow, white by thirds of the error's square root, so that small errors are seen.
+void paint(float error, std::uint8_t* rgb) {
+    const float t = 3.0F * std::sqrt(clipped(error));
+    for (std::size_t c = 0; c < 3; ++c)
+        rgb[c] = static_cast<std::uint8_t>(255.0F * clipped(t - static_cast<float>(c)) + 0.5F);
+}
+
+Difference measure(const Image& a, const Image& b, Pixels pixels) {
+    Difference out;
+    out.heat = Image(a.size, 3, Sample::u8);
+    const auto heat = out.heat.as<std::uint8_t>();
+    const auto va = a.as<float>();
+    const auto vb = b.as<float>();
+    double sum = 0.0;
+    for (std::size_t i = 0; i < va.size() / 4; ++i) {
+        if (pixels == Pixels::covered && (va[i * 4 + 3] <= 0.5F || vb[i * 4 + 3] <= 0.5F)) continue;
+        float largest = 0.0F;
+        for (std::size_t c = 0; c < 3; ++c) {
+            const float d = distance(va[i * 4 + c], vb[i * 4 + c]);
+            largest = std::max(largest, d);
+            sum += static_cast<double>(d) * static_cast<double>(d);
+        }
+        paint(largest, heat.data() + i * 3);
+        out.max_error = std::max(out.max_error, static_cast<double>(largest));
+        ++out.pixel_count;
+    }
+    out.rmse =
+        std::sqrt(sum / (3.0 * static_cast<double>(std::max<std::uint64_t>(out.pixel_count, 1))));
+    out.psnr_db =
+        out.rmse > 0.0 ? -20.0 * std::log10(out.rmse) : std::numeric_limits<double>::infinity();
+    return out;
+}
+
+/// A layer of both pictures. Errors: input_invalid.
+base::Result<std::pair<Image, Image>> both(const Picture& a, const Picture& b,
+                                           const std::string& layer) {
+    if (layer.empty()) return std::pair(shown(a), shown(b));
+    const Layer* const in_a = find_layer(a, layer);
+    const Layer* const in_b = find_layer(b, layer);
+    if (in_a == nullptr || in_b == nullptr)
+        return base::fail({.code = base::ErrorCode::input_invalid,
+                           .what = "the layer is not in both pictures",
+                           .found = layer,
+                           .remedy = "render both with --aov " + layer});
+    return std::pair(as_stored(*in_a), as_stored(*in_b));
+}
+
+}  // namespace
+
+Image shown(const Picture& picture) {
+    const Layer* const layer = beauty(picture);
+    if (layer == nullptr) return {};
+    const bool is_linear = tables::row(picture.format).scene_linear;
+    Image out(layer->image.size, 4, Sample::f32);
+    const auto to = out.as<float>();
+    for (std::size_t i = 0; i < to.size() / 4; ++i) {
+        auto rgba = rgba_at(layer->image, i);
+        const float alpha = clipped(rgba[3]);
+        for (std::size_t c = 0; c < 3; ++c) {
+            // EXR's alpha is associated.
+            if (is_linear && alpha > 0.0F && alpha < 1.0F) rgba[c] /= alpha;
+            const float v = clipped(rgba[c]);
+            to[i * 4 + c] = is_linear ? math::srgb_from_linear(v) : v;
+        }
+        to[i * 4 + 3] = alpha;
+    }
+    return out;
+}
+
+base::Result<Difference> compare(const Picture& a, const Picture& b,
+                                 const CompareOptions& options) {
+    const auto images = both(a, b, options.layer);
+    if (!images) return tl::unexpected(images.error());
+    const auto& [first, second] = *images;
+    if (first.size != second.size)
+        return base::fail(
+            {.code = base::ErrorCode::input_invalid,
+             .what = "the pictures differ in size",
+             .found = fmt::format("{}x{} and {}x{}", first.size.width, first.size.height,
+                                  second.size.width, second.size.height),
+             .remedy = "render both at one --size"});
+    Difference out = measure(first, second, options.pixels);
+    if (out.pixel_count == 0)
+        return base::fail({.code = base::ErrorCode::input_invalid,
+                           .what = "no pixel is covered in both pictures",
+                           .found = {},
+                           .remedy = "compare without --mask"});
+    if (options.layer.empty() && options.pixels == Pixels::all) out.flip = mean_flip(first, second);
+    return out;
+}
+
+}  // namespace facet::image

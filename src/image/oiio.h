@@ -1,0 +1,20 @@
+// The way to OpenImageIO: a shared object of its own, opened at first need.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/result.h"
+#include "image/dispatch.h"
+
+#include <string>
+
+namespace facet::image::oiio {
+
+/// As Codec's functions, for any `format` that OpenImageIO knows by its file ending.
+/// Errors: feature_missing when the module is not there.
+[[nodiscard]] base::Result<Header> read_header(FileBytes file, tables::ImageFormat format,
+                                               const base::Limits& limits);
+[[nodiscard]] base::Result<Picture> read(FileBytes file, tables::ImageFormat format,
+                                         const base::Limits& limits);
+[[nodiscard]] base::Result<base::Bytes> write(const Image& image, const WriteOptions& options);
+
+}  // namespace facet::image::oiio

@@ -1,0 +1,225 @@
+// Cameras: what --camera says, framing a model, and the matrices of a view.
+// SPDX-License-Identifier: MIT
+#include "scene/camera_spec.h"
+
+#include "base/text.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace facet::scene {
+namespace {
+
+constexpr float default_fov_deg = 30.0F;
+constexpr float margin = 1.08F;  // of the model's silhouette, so that it does not touch the edge
+constexpr float near_share = 1e-3F;  // of the distance to the far end: depth keeps its precision
+constexpr float smallest_extent_m = 1e-6F;
+constexpr float largest_extent_m = 1e9F;  // beyond, distances squared leave float's range
+
+struct Orbit {
+    float azimuth_deg = 35.0F;
+    float elevation_deg = 15.0F;
+    std::optional<float> distance_m;
+    std::optional<Vec3> target_m;
+};
+
+tl::unexpected<base::Error> usage(std::string what, std::string found, std::string remedy) {
+    return base::fail({.code = base::ErrorCode::usage,
+                       .what = std::move(what),
+                       .found = std::move(found),
+                       .remedy = std::move(remedy)});
+}
+
+std::optional<Vec3> parse_vector(std::string_view text) {
+    Vec3 v;
+    int filled = 0;
+    for (const std::string_view part : base::split(text, ' ')) {
+        if (part.empty()) continue;
+        const auto number = base::parse_number(part);
+        if (!number || filled == 3) return std::nullopt;
+        v[filled++] = static_cast<float>(*number);
+    }
+    return filled == 3 ? std::optional(v) : std::nullopt;
+}
+
+base::Result<Orbit> parse_orbit(std::string_view text) {
+    static const std::array<std::string, 4> keys = {"azimuth", "elevation", "distance", "target"};
+    Orbit orbit;
+    for (const std::string_view part : base::split(text, ',')) {
+        if (base::trimmed(part).empty()) continue;
+        const std::size_t equals = part.find('=');
+        const std::string key(base::trimmed(part.substr(0, equals)));
+        const std::string_view value =
+            equals == std::string_view::npos ? "" : part.substr(equals + 1);
+        if (std::find(keys.begin(), keys.end(), key) == keys.end()) {
+            const auto near = base::nearest(key, keys);
+            return usage(
+                "unknown key of orbit", key,
+                near.empty() ? "one of " + base::join(keys, ", ") : "did you mean " + near.front());
+        }
+        const auto number = base::parse_number(base::trimmed(value));
+        const auto vector = parse_vector(value);
+        const bool is_target = key == "target";
+        const bool in_range =
+            is_target ? vector.has_value()
+                      : number && std::fabs(*number) <= 1e9 && (key != "distance" || *number > 0);
+        if (!in_range)
+            return usage(key + " of orbit is not " +
+                             (is_target           ? "x y z"
+                              : key == "distance" ? "metres above 0"
+                                                  : "degrees"),
+                         std::string(value), "for example azimuth=35,elevation=15,target=0 1 0");
+        if (is_target)
+            orbit.target_m = vector;
+        else if (key == "azimuth")
+            orbit.azimuth_deg = static_cast<float>(*number);
+        else if (key == "elevation")
+            orbit.elevation_deg = static_cast<float>(*number);
+        else
+            orbit.distance_m = static_cast<float>(*number);
+    }
+    return orbit;
+}
+
+/// Columns right, up, back of an eye that looks along -`back`; straight up and down keep +z's side.
+math::Mat3 axes_of(const Orbit& orbit) {
+    const Vec3 back = math::direction_from(orbit.azimuth_deg, orbit.elevation_deg);
+    // The horizontal right of the azimuth: it exists at the poles too, where back x up does not.
+    const float a = glm::radians(orbit.azimuth_deg);
+    const Vec3 right(std::cos(a), 0.0F, -std::sin(a));
+    return {right, math::cross(back, right), back};
+}
+
+std::array<Vec3, 8> corners(const math::Bounds& b) {
+    std::array<Vec3, 8> out;
+    for (std::size_t i = 0; i < 8; ++i)
+        out[i] = {(i & 1U) != 0 ? b.high.x : b.low.x, (i & 2U) != 0 ? b.high.y : b.low.y,
+                  (i & 4U) != 0 ? b.high.z : b.low.z};
+    return out;
+}
+
+/// The distance from `target` at which every corner of the box is within the view and its margin.
+float fitting_distance(const math::Bounds& bounds, const math::Mat3& axes, const Vec3& target,
+                       float yfov_rad, float aspect) {
+    const float tan_y = std::tan(yfov_rad * 0.5F) / margin;
+    const float tan_x = tan_y * aspect;
+    float distance = 0.0F;
+    for (const Vec3& corner : corners(bounds)) {
+        const Vec3 p = (corner - target) * axes;  // rows times vector: coordinates along the axes
+        distance = std::max({distance, p.z + std::fabs(p.x) / tan_x, p.z + std::fabs(p.y) / tan_y});
+    }
+    return distance;
+}
+
+/// The scene's box made finite and not empty.
+math::Bounds framed_bounds(const Scene& scene) {
+    math::Bounds b = scene.bounds_m();
+    if (b.is_empty()) return {Vec3(-0.5F), Vec3(0.5F)};
+    b.low = glm::clamp(b.low, Vec3(-largest_extent_m), Vec3(largest_extent_m));
+    b.high = glm::clamp(b.high, Vec3(-largest_extent_m), Vec3(largest_extent_m));
+    if (b.diagonal() < smallest_extent_m) {
+        b.low -= Vec3(smallest_extent_m);
+        b.high += Vec3(smallest_extent_m);
+    }
+    return b;
+}
+
+/// Near and far planes around the scene, for cameras that do not come with the file.
+void set_depth_range(Camera& camera, const math::Bounds& bounds) {
+    const Mat4 view = view_from_world(camera);
+    float far = 0.0F;
+    float near = 1e30F;
+    for (const Vec3& corner : corners(bounds)) {
+        const float depth = -(view * Vec4(corner, 1.0F)).z;
+        far = std::max(far, depth);
+        near = std::min(near, depth);
+    }
+    far = std::max(far * 1.01F, smallest_extent_m);
+    camera.far_m = far;
+    camera.near_m = std::max(near * 0.99F, far * near_share);
+}
+
+Camera orbit_camera(const Scene& scene, const Orbit& orbit, float fov_deg, math::Extent size) {
+    const math::Bounds bounds = framed_bounds(scene);
+    const math::Mat3 axes = axes_of(orbit);
+    const Vec3 target = orbit.target_m.value_or(bounds.center());
+    const float aspect = static_cast<float>(size.width) / static_cast<float>(size.height);
+    Camera camera{.name = "auto"};
+    camera.yfov_rad = glm::radians(fov_deg > 0.0F ? fov_deg : default_fov_deg);
+    const float distance = orbit.distance_m
+                               ? *orbit.distance_m
+                               : fitting_distance(bounds, axes, target, camera.yfov_rad, aspect);
+    camera.world_from_view = Mat4(axes);
+    camera.world_from_view[3] = Vec4(target + axes[2] * distance, 1.0F);
+    set_depth_range(camera, bounds);
+    return camera;
+}
+
+std::string list_of(const Scene& scene) {
+    std::vector<std::string> names;
+    for (const Camera& camera : scene.cameras) names.push_back(base::escaped(camera.name));
+    return names.empty() ? "the file has no cameras; auto, or orbit:azimuth=35,elevation=15"
+                         : "one of " + base::join(names, ", ") + ", auto, orbit:…";
+}
+
+}  // namespace
+
+base::Result<Camera> resolve_camera(const Scene& scene, const std::string& spec, float fov_deg,
+                                    math::Extent size) {
+    if (spec.starts_with("orbit")) {
+        const auto orbit = parse_orbit(spec.size() > 6 ? std::string_view(spec).substr(6) : "");
+        if (!orbit) return tl::unexpected(orbit.error());
+        return orbit_camera(scene, *orbit, fov_deg, size);
+    }
+    if (spec == "auto" && scene.cameras.empty()) return orbit_camera(scene, {}, fov_deg, size);
+    std::size_t index = scene.cameras.size();
+    if (spec == "auto") index = 0;
+    for (std::size_t i = 0; i < scene.cameras.size() && index == scene.cameras.size(); ++i)
+        if (scene.cameras[i].name == spec || scene.cameras[i].node == spec) index = i;
+    const auto number = base::parse_integer(spec);
+    if (index == scene.cameras.size() && number && *number >= 0 &&
+        static_cast<std::size_t>(*number) < scene.cameras.size())
+        index = static_cast<std::size_t>(*number);
+    if (index == scene.cameras.size()) return usage("no such camera", spec, list_of(scene));
+    Camera camera = scene.cameras[index];
+    if (fov_deg > 0.0F) camera.yfov_rad = glm::radians(fov_deg);
+    return camera;
+}
+
+Mat4 view_from_world(const Camera& camera) { return math::inverse(camera.world_from_view); }
+
+Mat4 clip_from_view(const Camera& camera, math::Extent size, Vec2 jitter_px) {
+    const auto width = static_cast<float>(size.width);
+    const auto height = static_cast<float>(size.height);
+    const float aspect = width / height;
+    const float near = camera.near_m;
+    Mat4 m(0.0F);
+    if (camera.projection == Projection::perspective) {
+        const float scale = 1.0F / std::tan(camera.yfov_rad * 0.5F);
+        m[0][0] = scale / aspect;
+        m[1][1] = scale;
+        const bool infinite = camera.far_m <= near;
+        m[2][2] = infinite ? -1.0F : -(camera.far_m + near) / (camera.far_m - near);
+        m[2][3] = -1.0F;
+        m[3][2] = infinite ? -2.0F * near : -2.0F * camera.far_m * near / (camera.far_m - near);
+    } else {
+        const float far = camera.far_m > near ? camera.far_m : near + 1e4F;
+        m[0][0] = 1.0F / (camera.ymag_m * aspect);
+        m[1][1] = 1.0F / camera.ymag_m;
+        m[2][2] = -2.0F / (far - near);
+        m[3][2] = -(far + near) / (far - near);
+        m[3][3] = 1.0F;
+    }
+    // A sample right of the centre sees what lies right of it: the picture moves left, by pixels of
+    // width 2/w.
+    Mat4 jitter(1.0F);
+    jitter[3][0] = -2.0F * jitter_px.x / width;
+    jitter[3][1] = 2.0F * jitter_px.y / height;
+    return jitter * m;
+}
+
+}  // namespace facet::scene

@@ -1,0 +1,90 @@
+// facet check, info and doctor: what they print and how they end.
+// SPDX-License-Identifier: MIT
+#include "support/process.h"
+#include "support/temporary_folder.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace facet::cli {
+namespace {
+
+using nlohmann::json;
+using support::facet;
+using support::Ran;
+using support::TemporaryFolder;
+
+constexpr const char* empty_scene = R"({"asset":{"version":"2.0"}})";
+constexpr const char* bad_scene =
+    R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":7}]})";
+
+/// Every line as an object.
+std::vector<json> objects(const std::string& text) {
+    std::vector<json> out;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = text.find('\n', at);
+        out.push_back(json::parse(text.substr(at, end - at)));
+        at = end + 1;
+    }
+    return out;
+}
+
+TEST(Check, OfACleanSceneIsStatus0) {
+    const TemporaryFolder folder;
+    const Ran ran = facet({"check", folder.write("a.gltf", empty_scene).string()});
+    EXPECT_EQ(ran.exit, 0) << ran.out << ran.err;
+}
+TEST(Check, NamesThePointerOfAnErrorAndEndsWith1) {
+    const TemporaryFolder folder;
+    const auto file = folder.write("a.gltf", bad_scene).string();
+    const Ran ran = facet({"check", file, "--json"});
+    EXPECT_EQ(ran.exit, 1) << ran.err;
+    const auto all = objects(ran.out);
+    const auto found =
+        std::ranges::find_if(all, [](const json& o) { return o["pointer"] == "/nodes/0/mesh"; });
+    ASSERT_NE(found, all.end()) << ran.out;
+    EXPECT_EQ((*found)["severity"], "error");
+    EXPECT_EQ((*found)["code"], "UNRESOLVED_REFERENCE");
+    EXPECT_EQ((*found)["path"], file);
+}
+TEST(Check, OfWhatCannotBeReadIsStatus3AndGoesOnWithTheRest) {
+    const TemporaryFolder folder;
+    const auto file = folder.write("a.gltf", empty_scene).string();
+    const Ran ran = facet({"check", (folder / "missing.glb").string(), file});
+    EXPECT_EQ(ran.exit, 3);
+    EXPECT_NE(ran.out.find(file), std::string::npos) << ran.out;
+}
+TEST(Check, ListsWhatIsSupported) {
+    const Ran ran = facet({"check", "--capabilities", "--json"});
+    EXPECT_EQ(ran.exit, 0);
+    EXPECT_FALSE(json::parse(ran.out)["pictures_written"].empty());
+}
+
+TEST(Info, TellsWhatIsInAScene) {
+    const Ran ran = facet({"info", "builtin:showcase", "--json"});
+    ASSERT_EQ(ran.exit, 0) << ran.err;
+    const json info = objects(ran.out).back();
+    EXPECT_GT(info["triangles"].get<int>(), 0);
+    EXPECT_FALSE(info["materials"].empty());
+    for (const char* key :
+         {"textures", "cameras", "lights", "clips", "variants", "extensions", "extent"})
+        EXPECT_TRUE(info.contains(key)) << key;
+}
+TEST(Info, OfAMissingFileIsStatus3) { EXPECT_EQ(facet({"info", "/nowhere.glb"}).exit, 3); }
+
+TEST(Doctor, EndsWith0WhereARenderWorksAndTellsEachBackend) {
+    const Ran ran = facet({"doctor", "--json"});
+    const json report = objects(ran.out).back();
+    const auto& backends = report["backends"];
+    const bool works =
+        std::ranges::any_of(backends, [](const json& b) { return b["works"].get<bool>(); });
+    EXPECT_EQ(ran.exit, works ? 0 : 6) << ran.out;
+    EXPECT_GE(backends.size(), 2U);
+    for (const json& backend : backends)
+        if (!backend["works"].get<bool>()) EXPECT_NE(backend["reason"], "") << backend;
+}
+
+}  // namespace
+}  // namespace facet::cli

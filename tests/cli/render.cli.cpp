@@ -1,0 +1,184 @@
+// facet render: the picture, the line about it, and what is left on disk when it cannot be made.
+// SPDX-License-Identifier: MIT
+#include "support/process.h"
+#include "support/temporary_folder.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <sys/stat.h>
+
+namespace facet::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using support::facet;
+using support::line_count;
+using support::Ran;
+using support::TemporaryFolder;
+using support::text_of;
+
+constexpr std::string_view png_magic = "\x89PNG\r\n\x1a\n";
+const std::vector<std::string> quick = {"render", "builtin:furnace", "--size",
+                                        "32x16",  "--quality",       "draft"};
+
+std::vector<std::string> with(std::vector<std::string> more) {
+    more.insert(more.begin(), quick.begin(), quick.end());
+    return more;
+}
+
+TEST(Render, PrintsThePathTheSizeAndTheTime) {
+    const TemporaryFolder folder;
+    const Ran ran = facet(with({"-o", (folder / "a.png").string()}));
+    ASSERT_EQ(ran.exit, 0) << ran.err;
+    EXPECT_TRUE(ran.out.starts_with((folder / "a.png").string() + "  32x16  ")) << ran.out;
+    EXPECT_TRUE(ran.out.ends_with(" s\n")) << ran.out;
+    EXPECT_TRUE(text_of(folder / "a.png").starts_with(png_magic));
+    EXPECT_EQ(folder.entry_count(), 1);
+}
+TEST(Render, WithoutAnOutputWritesTheScenesNameIntoTheCurrentFolder) {
+    const TemporaryFolder folder;
+    const Ran ran = facet(quick, {.folder = folder.path()});
+    ASSERT_EQ(ran.exit, 0) << ran.err;
+    EXPECT_TRUE(fs::exists(folder / "furnace.png"));
+}
+TEST(Render, WithJsonPrintsOneObjectWithTheContractsKeys) {
+    const TemporaryFolder folder;
+    const Ran ran = facet(with({"-o", (folder / "a.png").string(), "--json"}));
+    ASSERT_EQ(ran.exit, 0) << ran.err;
+    EXPECT_EQ(line_count(ran.out), 1U);
+    const auto object = nlohmann::json::parse(ran.out);
+    EXPECT_EQ(object["facet"], 1);
+    EXPECT_EQ(object["output"], (folder / "a.png").string());
+    EXPECT_EQ(object["width"], 32);
+    EXPECT_EQ(object["height"], 16);
+    for (const char* key : {"exposure", "ms", "backend", "triangles", "materials", "warnings"})
+        EXPECT_TRUE(object.contains(key)) << key;
+    for (const char* key : {"load", "upload", "render", "write"})
+        EXPECT_TRUE(object["ms"].contains(key)) << key;
+}
+TEST(Render, ToStandardOutputIsAPngAndNothingElse) {
+    const Ran ran = facet(with({"-o", "-"}));
+    ASSERT_EQ(ran.exit, 0) << ran.err;
+    EXPECT_TRUE(ran.out.starts_with(png_magic));
+    EXPECT_EQ(ran.out.substr(ran.out.size() - 8, 4), "IEND");
+}
+TEST(Render, GivesTheSameBytesForAnyNumberOfThreadsAndAnyLocale) {
+    const Ran one = facet(with({"-o", "-", "--threads", "1"}));
+    const Ran two = facet(with({"-o", "-", "--threads", "3"}),
+                          {.environment = {"LC_ALL=de_DE.UTF-8", "TZ=nonsense"}});
+    ASSERT_EQ(one.exit, 0) << one.err;
+    EXPECT_EQ(one.out, two.out);
+}
+TEST(Render, WorksWithoutDisplayAndHome) {
+    const TemporaryFolder folder;
+    std::vector<std::string> words{"/usr/bin/env", "-i", FACET_BINARY_DIR "/facet"};
+    const auto arguments = with({"-o", (folder / "a.png").string()});
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    const Ran ran = support::run(words);
+    EXPECT_EQ(ran.exit, 0) << ran.err;
+}
+TEST(Render, TakesNamesWithSpacesQuotesNewlinesAndLeadingDashes) {
+    const TemporaryFolder folder;
+    for (const char* name :
+         {"a b.png", "it's.png", "-dash.png", "two\nlines.png", "\xff.png", "шлем.png"}) {
+        const Ran ran = facet(with({"-o", name}), {.folder = folder.path()});
+        EXPECT_EQ(ran.exit, 0) << name << ran.err;
+        EXPECT_TRUE(fs::exists(folder / name)) << name;
+        EXPECT_EQ(line_count(ran.out), 1U) << ran.out;
+    }
+}
+
+/// An output that is refused: nothing new on disk, the old file untouched.
+struct Refused : testing::Test {
+    TemporaryFolder folder;
+    Ran render(const std::string& output, std::vector<std::string> more = {}) {
+        more.insert(more.begin(), {"-o", output});
+        return facet(with(more), {.folder = folder.path()});
+    }
+};
+TEST_F(Refused, AMissingFolderIsUsageAndMkdirsMakesIt) {
+    const Ran ran = render("no/a.png");
+    EXPECT_EQ(ran.exit, 2);
+    EXPECT_EQ(ran.err, "facet: no/a.png: no such folder (no); make it, or give --mkdirs\n");
+    EXPECT_EQ(folder.entry_count(), 0);
+    EXPECT_EQ(render("no/deeper/a.png", {"--mkdirs"}).exit, 0);
+    EXPECT_TRUE(fs::exists(folder / "no/deeper/a.png"));
+}
+TEST_F(Refused, AFolderAsOutputIsInvalid) {
+    fs::create_directory(folder / "a.png");
+    EXPECT_EQ(render("a.png").exit, 3);
+}
+TEST_F(Refused, AnExistingFileStaysWithNoClobber) {
+    folder.write("a.png", "old");
+    EXPECT_EQ(render("a.png", {"--no-clobber"}).exit, 2);
+    EXPECT_EQ(text_of(folder / "a.png"), "old");
+    EXPECT_EQ(render("a.png").exit, 0);
+    EXPECT_TRUE(text_of(folder / "a.png").starts_with(png_magic));
+}
+TEST_F(Refused, AnEndingThatNoFormatHasListsThoseThereAre) {
+    const Ran ran = render("a.bmp");
+    EXPECT_EQ(ran.exit, 2);
+    EXPECT_NE(ran.err.find("endings: .png"), std::string::npos) << ran.err;
+    EXPECT_EQ(folder.entry_count(), 0);
+}
+TEST_F(Refused, ALinkThatLeavesTheFolderIsNotFollowed) {
+    folder.write("other/a.png", "old");
+    fs::create_directory(folder / "in");
+    fs::create_symlink("../other/a.png", folder / "in/a.png");
+    EXPECT_EQ(render("in/a.png").exit, 3);
+    EXPECT_EQ(text_of(folder / "other/a.png"), "old");
+}
+TEST_F(Refused, ANameThatIsTooLongSaysSo) {
+    const Ran ran = render(std::string(260, 'n') + ".png");
+    EXPECT_EQ(ran.exit, 3);
+    EXPECT_NE(ran.err.find("name too long (264 bytes)"), std::string::npos) << ran.err;
+}
+TEST_F(Refused, AnInputIsNeverTheOutputNotEvenThroughALink) {
+    folder.write("env.hdr", "#?RADIANCE\n");
+    fs::create_hard_link(folder / "env.hdr", folder / "out.hdr");
+    const Ran ran = render("out.hdr", {"--env", "env.hdr"});
+    EXPECT_EQ(ran.exit, 2);
+    EXPECT_NE(ran.err.find("is an input too"), std::string::npos) << ran.err;
+    EXPECT_EQ(text_of(folder / "env.hdr"), "#?RADIANCE\n");
+}
+TEST_F(Refused, AFileSizeLimitLeavesTheOldFile) {
+    folder.write("a.png", "old");
+    const Ran ran =
+        facet(with({"-o", "a.png"}), {.folder = folder.path(), .before = "ulimit -f 0"});
+    EXPECT_EQ(ran.exit, 75) << ran.err;
+    EXPECT_EQ(text_of(folder / "a.png"), "old");
+    EXPECT_EQ(folder.entry_count(), 1);
+}
+
+TEST(RenderInput, ThatIsMissingOrNoSceneIsInvalidAndWritesNothing) {
+    const TemporaryFolder folder;
+    folder.write("page.glb", "<!DOCTYPE html><html>");
+    folder.write("empty.gltf", "");
+    ASSERT_EQ(::mkfifo((folder / "fifo.glb").c_str(), 0600), 0);
+    for (const char* scene :
+         {"missing.glb", "page.glb", "empty.gltf", "fifo.glb", "/dev/zero", "."}) {
+        const Ran ran = facet({"render", scene, "-o", "out.png"}, {.folder = folder.path()});
+        EXPECT_EQ(ran.exit, 3) << scene << ": " << ran.err;
+        EXPECT_EQ(line_count(ran.err), 1U) << ran.err;
+        EXPECT_TRUE(ran.err.starts_with("facet: " + std::string(scene))) << ran.err;
+        EXPECT_FALSE(fs::exists(folder / "out.png")) << scene;
+    }
+}
+TEST(RenderInput, ABuiltInSceneThatIsMisspeltIsAnsweredWithTheRightOne) {
+    const Ran ran = facet({"render", "builtin:showcas", "-o", "/nowhere/a.png"});
+    EXPECT_NE(ran.exit, 0);
+    const TemporaryFolder folder;
+    const Ran named = facet({"render", "builtin:showcas"}, {.folder = folder.path()});
+    EXPECT_NE(named.err.find("showcase"), std::string::npos) << named.err;
+    EXPECT_EQ(folder.entry_count(), 0);
+}
+TEST(RenderInput, OnStandardInputIsRead) {
+    const TemporaryFolder folder;
+    const Ran ran =
+        facet({"render", "-", "-o", "out.png"}, {.folder = folder.path(), .input = "not a model"});
+    EXPECT_EQ(ran.exit, 3) << ran.err;
+    EXPECT_EQ(folder.entry_count(), 0);
+}
+
+}  // namespace
+}  // namespace facet::cli
