@@ -65,7 +65,7 @@ def check_chains(files, src):
                 yield f"{path}: a chain of includes {depth[path]} deep (at most {MOST_INCLUDES_DEEP})"
         except RecursionError as cycle:
             yield f"{path}: a cycle of includes: {cycle}"
-            open_files.clear()
+            return  # every file that reaches it would say so again
 
 
 def check_twins(root, without_shaders):

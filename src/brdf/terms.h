@@ -23,7 +23,7 @@ struct Terms {
     }
     bool slot_has_fresnel() { return choice.fresnel != tables::Fresnel::none; }
 
-#include "brdf/slots.inl"
+#include "brdf/slots_dispatch.inl"
 #include "generated/brdf_terms.inl"
 };
 

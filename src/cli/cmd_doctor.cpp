@@ -117,36 +117,38 @@ std::string text_of(const Json& value) {
 void print_backends(const Json& backends, Io& io) {
     for (const Json& b : backends) {
         if (b["works"].get<bool>()) {
-            io.print(fmt::format("{:<14} works: {}, {}", text_of(b["name"]), text_of(b["renderer"]),
+            io.print(fmt::format("{:<16} works: {}, {}", text_of(b["name"]), text_of(b["renderer"]),
                                  text_of(b["version"])));
             continue;
         }
-        io.print(fmt::format("{:<14} not here: {}", text_of(b["name"]), text_of(b["reason"])));
+        io.print(fmt::format("{:<16} not here: {}", text_of(b["name"]), text_of(b["reason"])));
         if (!text_of(b["remedy"]).empty())
-            io.print(fmt::format("{:<14} to mend it: {}", "", text_of(b["remedy"])));
+            io.print(fmt::format("{:<16} to mend it: {}", "", text_of(b["remedy"])));
     }
 }
 
 void print_text(const Json& report, Io& io) {
     print_backends(report["backends"], io);
-    io.print(fmt::format("{:<14} {}", "threads", report["threads"].dump()));
-    io.print(fmt::format("{:<14} {} MiB", "memory", report["memory_mib"].dump()));
+    io.print(fmt::format("{:<16} {}", "threads", report["threads"].dump()));
+    io.print(fmt::format("{:<16} {} MiB", "memory", report["memory_mib"].dump()));
     for (const auto& [name, value] : report["limits"].items())
-        io.print(fmt::format("{:<14} {} {}", "limit", name, text_of(value)));
-    io.print(fmt::format("{:<14} {}", "data",
+        io.print(fmt::format("{:<16} {} {}", "limit", name, text_of(value)));
+    io.print(fmt::format("{:<16} {}", "data",
                          report["data"].is_null()
                              ? "glsl/ and resources/ were not found; install Facet again"
                              : text_of(report["data"])));
-    io.print(fmt::format("{:<14} {}", "TIFF and more",
+    io.print(fmt::format("{:<16} {}", "TIFF and more",
                          report["oiio_module"].is_null()
                              ? "libfacet_oiio.so is not beside the program; build or install it"
                              : text_of(report["oiio_module"])));
-    io.print(fmt::format("{:<14} {}", "shader cache",
+    io.print(fmt::format("{:<16} {}", "shader cache",
                          report["shader_cache"] == "" ? "none: HOME and XDG_CACHE_HOME are not set"
                                                       : text_of(report["shader_cache"])));
-    for (const char* list : {"libraries", "environment"})
-        for (const auto& entry : report[list])
-            io.print(fmt::format("{:<14} {}", list, text_of(entry)));
+    for (const char* list : {"libraries", "environment"}) {
+        std::vector<std::string> names;
+        for (const Json& entry : report[list]) names.push_back(text_of(entry));
+        if (!names.empty()) io.print(fmt::format("{:<16} {}", list, base::join(names, "  ")));
+    }
 }
 
 base::Result<Exit> run_doctor(Io& io) {

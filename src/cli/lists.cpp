@@ -39,10 +39,16 @@ std::vector<Entry> entries_of(const Rows& rows) {
 Entries list_scenes(const std::string&) {
     std::vector<Entry> entries;
     for (const std::string& name : scene::builtin_scene_names())
-        entries.push_back({"builtin:" + name, ""});
+        entries.push_back({fmt::format("builtin:{}", name), ""});
     return entries;
 }
-Entries list_environments(const std::string&) { return entries_of(tables::environments); }
+Entries list_environments(const std::string&) {
+    std::vector<Entry> entries = entries_of(tables::environments);
+    for (std::size_t i = 0; i < entries.size(); ++i)
+        if (const auto keys = tables::environments[i].keys; !keys.empty())
+            entries[i].help += fmt::format("; keys: {}", keys);
+    return entries;
+}
 Entries list_aovs(const std::string&) { return entries_of(tables::aovs); }
 Entries list_lights(const std::string&) { return entries_of(tables::light_kinds); }
 Entries list_tonemaps(const std::string&) { return entries_of(tables::tonemaps); }
@@ -75,7 +81,8 @@ Entries list_cameras(const std::string& path) {
     if (!scene) return tl::unexpected(scene.error());
     std::vector<Entry> entries;
     for (const auto& camera : scene->cameras)
-        entries.push_back({camera.name, camera.node.empty() ? "" : "node " + camera.node});
+        entries.push_back(
+            {camera.name, camera.node.empty() ? "" : fmt::format("node {}", camera.node)});
     return entries;
 }
 Entries list_materials(const std::string& path) {

@@ -4,7 +4,6 @@
 
 #include "base/file.h"
 #include "base/text.h"
-#include "tables/image_formats.h"
 
 #include <spdlog/fmt/fmt.h>
 
@@ -20,21 +19,21 @@ namespace fs = std::filesystem;
 using base::ErrorCode;
 using base::fail;
 
-std::vector<std::string> writable_endings() {
-    std::vector<std::string> endings;
-    for (const auto& row : tables::image_formats)
-        if (row.writes)
-            for (const std::string_view ending : base::split(row.endings, ','))
-                endings.push_back(fmt::format(".{}", ending));
-    return endings;
-}
-
-base::Status check_ending(const fs::path& output) {
+std::string ending_of(const fs::path& output) {
     std::string ending = output.extension().string();
     std::ranges::transform(ending, ending.begin(),
                            [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    const auto known = writable_endings();
-    if (std::ranges::find(known, ending) != known.end()) return {};
+    return ending;
+}
+
+base::Status check_ending(const fs::path& output) {
+    if (format_of(output)) return {};
+    std::vector<std::string> known;
+    for (const auto& row : tables::image_formats)
+        if (row.writes)
+            for (const std::string_view ending : base::split(row.endings, ','))
+                known.push_back(fmt::format(".{}", ending));
+    const std::string ending = ending_of(output);
     return fail(
         {.code = ErrorCode::usage,
          .file = output.string(),
@@ -56,6 +55,18 @@ base::Status check_not_input(const fs::path& output, std::span<const std::string
 }
 
 }  // namespace
+
+std::optional<tables::ImageFormat> format_of(const fs::path& output) {
+    const std::string ending = ending_of(output);
+    for (std::size_t i = 0; i < tables::image_formats.size(); ++i) {
+        const auto& row = tables::image_formats[i];
+        if (!row.writes || ending.empty()) continue;
+        const auto endings = base::split(row.endings, ',');
+        if (std::ranges::find(endings, std::string_view(ending).substr(1)) != endings.end())
+            return static_cast<tables::ImageFormat>(i);
+    }
+    return std::nullopt;
+}
 
 base::Status check_output(const fs::path& output, const OutputRules& rules,
                           std::span<const std::string> inputs) {

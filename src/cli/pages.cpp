@@ -26,8 +26,7 @@ std::string roff(std::string_view text) {
 std::string option_entry(const Flag& flag) {
     std::string names = flag.names;
     std::ranges::replace(names, ',', ' ');
-    return fmt::format(".TP\n.B {}{}\n{}\n", roff(names),
-                       flag.value.empty() ? "" : " " + roff(flag.value), roff(flag.help));
+    return fmt::format(".TP\n.B {} {}\n{}\n", roff(names), roff(flag.value), roff(flag.help));
 }
 
 }  // namespace

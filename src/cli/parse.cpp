@@ -38,11 +38,10 @@ void add_flag(CLI::App& app, Given& given) {
         return;
     }
     CLI::Option* option = app.add_option(flag.names, given.texts);
-    if (!std::holds_alternative<std::vector<std::string>*>(flag.target)) option->expected(1);
-    if (!flag.is_argument()) {
-        option->allow_extra_args(false);
-        option->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    }
+    if (!flag.is_argument()) option->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    const bool is_list = std::holds_alternative<std::vector<std::string>*>(flag.target);
+    if (!is_list) option->expected(1);
+    if (!is_list || !flag.is_argument()) option->allow_extra_args(false);
 }
 
 base::Status store(const Given& given) {
@@ -115,11 +114,8 @@ base::Error in_our_words(const CLI::ParseError& error) {
     const std::string text = error.what();
     const std::string name = text.substr(0, text.find(':'));
     const bool is_option = name.starts_with('-') && name.find(' ') == std::string::npos;
-    if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr)
-        return {.code = ErrorCode::usage,
-                .file = name,
-                .what = is_option ? "needs a value" : "is given more than once",
-                .remedy = is_option ? "" : "the command takes one"};
+    if (is_option && dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr)
+        return {.code = ErrorCode::usage, .file = name, .what = "needs a value"};
     return {.code = ErrorCode::usage,
             .file = is_option ? name : "",
             .what = "the command line is not understood",

@@ -1,5 +1,5 @@
-// Which corners of a mesh are one vertex, and which triangles meet at an edge: by hashing, in
-// linear time. SPDX-License-Identifier: MIT
+// Which corners of a mesh are one vertex, and which triangles meet at an edge.
+// SPDX-License-Identifier: MIT
 #include "scene/tangents_topology.h"
 
 #include <array>

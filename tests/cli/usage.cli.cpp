@@ -31,7 +31,7 @@ TEST(Usage, AMistakeIsOneLineAndStatus2) {
         {{"rendr", "a.glb"}, "facet: rendr: unknown command; did you mean render\n"},
         {{"render", "a.glb", "--fov"}, "facet: --fov: needs a value\n"},
         {{"render", "a.glb", "b.glb"},
-         "facet: SCENE: is given more than once; the command takes one\n"},
+         "facet: b.glb: one argument too many; facet render --help\n"},
         {{"render", "a.glb", "--fov", "200"},
          "facet: --fov: is out of range: 0 to 179 (DEG) (200)\n"},
         {{"render", "a.glb", "--quality", "finl"},

@@ -1,11 +1,12 @@
 // PNG: every kind of file is expanded without loss, chunks are as they must be, damage is refused.
 // SPDX-License-Identifier: MIT
-#include <string>
-
-#include <gtest/gtest.h>
-
 #include "support/image_png.h"
 #include "support/image_samples.h"
+
+#include <gtest/gtest.h>
+#include <libdeflate.h>
+
+#include <string>
 
 namespace facet {
 namespace {
@@ -23,10 +24,14 @@ std::uint32_t value_at(const PngKind& kind, std::uint32_t x, std::uint32_t y, st
 
 std::uint32_t stored_channels(const PngKind& kind) {
     switch (kind.color_type) {
-        case PNG_COLOR_TYPE_RGB: return 3;
-        case PNG_COLOR_TYPE_RGB_ALPHA: return 4;
-        case PNG_COLOR_TYPE_GRAY_ALPHA: return 2;
-        default: return 1;
+        case PNG_COLOR_TYPE_RGB:
+            return 3;
+        case PNG_COLOR_TYPE_RGB_ALPHA:
+            return 4;
+        case PNG_COLOR_TYPE_GRAY_ALPHA:
+            return 2;
+        default:
+            return 1;
     }
 }
 
@@ -43,8 +48,8 @@ PngRows rows_of(const PngKind& kind, math::Extent size) {
                 row[i * 2] = static_cast<std::uint8_t>(value >> 8);
                 row[i * 2 + 1] = static_cast<std::uint8_t>(value);
             } else {
-                row[bit / 8] = static_cast<std::uint8_t>(row[bit / 8] |
-                                                         value << (8 - depth - bit % 8));
+                row[bit / 8] =
+                    static_cast<std::uint8_t>(row[bit / 8] | value << (8 - depth - bit % 8));
             }
         }
         rows.push_back(row);
@@ -77,7 +82,8 @@ std::vector<PngKind> kinds() {
             for (const int type : {PNG_COLOR_TYPE_GRAY, PNG_COLOR_TYPE_RGB, PNG_COLOR_TYPE_PALETTE,
                                    PNG_COLOR_TYPE_GRAY_ALPHA, PNG_COLOR_TYPE_RGB_ALPHA})
                 for (const int depth : {1, 2, 4, 8, 16}) {
-                    const bool has_small = type == PNG_COLOR_TYPE_GRAY || type == PNG_COLOR_TYPE_PALETTE;
+                    const bool has_small =
+                        type == PNG_COLOR_TYPE_GRAY || type == PNG_COLOR_TYPE_PALETTE;
                     const bool has_alpha = (type & PNG_COLOR_MASK_ALPHA) != 0;
                     if ((depth < 8 && !has_small) || (has_alpha && transparent)) continue;
                     if (depth == 16 && type == PNG_COLOR_TYPE_PALETTE) continue;
@@ -89,9 +95,9 @@ std::vector<PngKind> kinds() {
 TEST(Png, every_kind_of_file_is_expanded_without_loss) {
     const math::Extent size{23, 11};
     for (const PngKind& kind : kinds()) {
-        SCOPED_TRACE(testing::Message() << "type " << kind.color_type << ", " << kind.bit_depth
-                                        << " bits, interlaced " << kind.interlaced << ", tRNS "
-                                        << kind.has_transparency);
+        SCOPED_TRACE(testing::Message()
+                     << "type " << kind.color_type << ", " << kind.bit_depth << " bits, interlaced "
+                     << kind.interlaced << ", tRNS " << kind.has_transparency);
         const auto file = test::write_png_kind(kind, size, rows_of(kind, size));
         const auto out = test::decoded(file);
         ASSERT_TRUE(out) << base::to_line(out.error());
@@ -116,7 +122,8 @@ TEST(Png, every_kind_of_file_is_expanded_without_loss) {
 
 TEST(Png, has_one_sRGB_chunk_before_the_pixels) {
     for (const bool fast : {false, true}) {
-        const auto file = image::encode(test::sample_image({5, 4}, 3, Sample::u8), {.metadata = {}, .fast = fast});
+        const auto file = image::encode(test::sample_image({5, 4}, 3, Sample::u8),
+                                        {.metadata = {}, .fast = fast});
         ASSERT_TRUE(file);
         const std::string text(reinterpret_cast<const char*>(file->data()), file->size());
         const std::string chunk("\0\0\0\1sRGB\0\xAE\xCE\x1C\xE9", 13);  // with its checksum
@@ -128,7 +135,8 @@ TEST(Png, has_one_sRGB_chunk_before_the_pixels) {
 TEST(Png, metadata_come_back_ascii_and_utf8) {
     const std::vector<std::pair<std::string, std::string>> metadata{
         {"facet:settings", "{\"size\":[5,4]}"}, {"Title", "Шлем"}, {"Empty", ""}};
-    const auto file = image::encode(test::sample_image({5, 4}, 4, Sample::u8), {.metadata = metadata});
+    const auto file =
+        image::encode(test::sample_image({5, 4}, 4, Sample::u8), {.metadata = metadata});
     ASSERT_TRUE(file);
     const auto picture = image::decode_picture(*file, base::Limits{});
     ASSERT_TRUE(picture);
@@ -162,11 +170,31 @@ TEST(Png, sixteen_bits_round_to_eight_and_back_without_loss) {
 TEST(Png, a_header_of_100000_pixels_a_side_is_refused_by_the_limit) {
     auto file = image::encode(test::sample_image({5, 4}, 3, Sample::u8), {.metadata = {}});
     ASSERT_TRUE(file);
-    // Width, and the checksum of IHDR left as it was: the check must come in an order that says what is wrong.
-    (*file)[17] = std::byte{1};
+    const auto put = [&](std::size_t at, std::uint32_t number) {
+        for (std::size_t i = 0; i < 4; ++i)
+            (*file)[at + i] = static_cast<std::byte>(number >> (24 - 8 * i));
+    };
+    put(16, 100000);
+    put(20, 100000);
+    EXPECT_EQ(test::decoded(*file).error().code, base::ErrorCode::input_invalid) << "checksum";
+    put(29, libdeflate_crc32(0, file->data() + 12, 17));
+    EXPECT_EQ(test::decoded(*file).error().code, base::ErrorCode::limit_reached);
+}
+
+TEST(Png, pixels_that_unpack_to_more_than_the_header_says_stop_there) {
+    // The rows of 64x64 behind the header of 64x4: what libpng too gives up on or cuts, never more
+    // memory.
+    auto file = image::encode(test::sample_image({64, 64}, 3, Sample::u8), {.metadata = {}});
+    ASSERT_TRUE(file);
+    (*file)[23] = std::byte{4};
+    const std::uint32_t crc = libdeflate_crc32(0, file->data() + 12, 17);
+    for (std::size_t i = 0; i < 4; ++i)
+        (*file)[29 + i] = static_cast<std::byte>(crc >> (24 - 8 * i));
     const auto out = test::decoded(*file);
-    ASSERT_FALSE(out);
-    EXPECT_EQ(out.error().code, base::ErrorCode::input_invalid) << base::to_line(out.error());
+    if (out)
+        EXPECT_EQ(out->bytes.size(), 64U * 4 * 3);
+    else
+        EXPECT_EQ(out.error().code, base::ErrorCode::input_invalid);
 }
 
 TEST(Png, floating_point_pixels_are_not_taken_silently) {

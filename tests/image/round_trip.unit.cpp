@@ -1,15 +1,15 @@
 // Every format that is written is read back the same, over the table of formats.
 // SPDX-License-Identifier: MIT
-#include <cmath>
-#include <string>
-
-#include <gtest/gtest.h>
-
 #include "base/text.h"
 #include "image/read.h"
 #include "image/write.h"
 #include "support/image_samples.h"
 #include "tables/image_formats.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
 
 namespace facet {
 namespace {
@@ -33,7 +33,10 @@ std::vector<Case> cases() {
 }
 
 Depth depth_of(const std::string& text) {
-    return text == "8" ? Depth::u8 : text == "16" ? Depth::u16 : text == "half" ? Depth::half : Depth::f32;
+    return text == "8"      ? Depth::u8
+           : text == "16"   ? Depth::u16
+           : text == "half" ? Depth::half
+                            : Depth::f32;
 }
 Sample sample_of(Depth depth) {
     return depth == Depth::u8 ? Sample::u8 : depth == Depth::u16 ? Sample::u16 : Sample::f32;
@@ -43,7 +46,8 @@ class RoundTrip : public testing::TestWithParam<Case> {
 protected:
     Image source(std::uint32_t channels) const {
         Image out = test::sample_image({37, 21}, channels, sample_of(depth_of(GetParam().depth)));
-        // decode() makes alpha straight, so associated alpha is kept at 1 to compare colours as they were.
+        // decode() makes alpha straight, so associated alpha is kept at 1 to compare colours as
+        // they were.
         if (out.sample == Sample::f32 && channels == 4)
             for (std::size_t i = 3; i < out.as<float>().size(); i += 4) out.as<float>()[i] = 1.0F;
         return out;
@@ -68,12 +72,16 @@ double largest_error(const Image& a, const Image& b) {
     return largest;
 }
 
-/// What each format may lose: JPEG a few codes; RGBE 1/128 of a pixel's largest (50); half 2^-11 of it.
+/// What each format may lose: JPEG a few codes; RGBE 1/128 of a pixel's largest (50); half 2^-11 of
+/// it.
 double tolerance(const Case& c) {
     switch (c.format) {
-        case tables::ImageFormat::jpeg: return 24.0;
-        case tables::ImageFormat::hdr: return 64.0 / 128.0;
-        default: return c.depth == "half" ? 64.0 / 2048.0 : 0.0;
+        case tables::ImageFormat::jpeg:
+            return 24.0;
+        case tables::ImageFormat::hdr:
+            return 64.0 / 128.0;
+        default:
+            return c.depth == "half" ? 64.0 / 2048.0 : 0.0;
     }
 }
 
@@ -145,9 +153,10 @@ TEST_P(RoundTrip, checks_side_area_and_memory_before_the_pixels) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(table, RoundTrip, testing::ValuesIn(cases()), [](const auto& info) {
-    return std::string(tables::row(info.param.format).key) + "_" + info.param.depth;
-});
+std::string name_of(const testing::TestParamInfo<Case>& row) {
+    return std::string(tables::row(row.param.format).key) + "_" + row.param.depth;
+}
+INSTANTIATE_TEST_SUITE_P(table, RoundTrip, testing::ValuesIn(cases()), name_of);
 
 TEST(Encode, answers_a_second_call_with_another_format) {
     const Image in = test::sample_image({8, 8}, 3, Sample::u8);

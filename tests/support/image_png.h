@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdint>
-#include <vector>
+#include "base/file.h"
+#include "math/vector.h"
 
 #include <png.h>
 
-#include "base/file.h"
-#include "math/vector.h"
+#include <cstdint>
+#include <vector>
 
 namespace facet::test {
 
@@ -22,8 +22,9 @@ struct PngKind {
 /// Rows of packed samples as the format has them: [height][bytes of a row].
 using PngRows = std::vector<std::vector<std::uint8_t>>;
 
-/// Palette of `1 << bit_depth` entries: entry i is (i, 255 - i, 3 i). tRNS: entries 0 and 1 have alpha 10 and 20;
-/// gray or colour: sample value 1 (all channels) is transparent. No error handling: a fault here fails the test.
+/// Palette of `1 << bit_depth` entries: entry i is (i, 255 - i, 3 i). tRNS: entries 0 and 1 have
+/// alpha 10 and 20; gray or colour: sample value 1 (all channels) is transparent. No error
+/// handling: a fault here fails the test.
 inline base::Bytes write_png_kind(const PngKind& kind, math::Extent size, PngRows rows) {
     base::Bytes out;
     png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);

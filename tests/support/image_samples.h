@@ -2,17 +2,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdint>
-#include <random>
-
 #include "base/file.h"
 #include "image/image.h"
 #include "image/read.h"
 #include "image/write.h"
 
+#include <cstdint>
+#include <random>
+
 namespace facet::test {
 
-/// Gradients with some noise: every channel differs, alpha covers 0 to full. f32 spans 0 to about 50.
+/// Gradients with some noise: every channel differs, alpha covers 0 to full. f32 spans 0 to
+/// about 50.
 inline image::Image sample_image(math::Extent size, std::uint32_t channels, image::Sample sample) {
     image::Image out(size, channels, sample);
     std::mt19937 random(7);  // its sequence is fixed by the standard
@@ -27,7 +28,8 @@ inline image::Image sample_image(math::Extent size, std::uint32_t channels, imag
                 else if (sample == image::Sample::u16)
                     out.as<std::uint16_t>()[at] = static_cast<std::uint16_t>(value * 251 + noise);
                 else
-                    out.as<float>()[at] = static_cast<float>(value) * static_cast<float>(value) / 1300.0F;
+                    out.as<float>()[at] =
+                        static_cast<float>(value) * static_cast<float>(value) / 1300.0F;
             }
     return out;
 }

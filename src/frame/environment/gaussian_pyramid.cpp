@@ -119,12 +119,13 @@ std::vector<Blurred> make_gaussian_pyramid(const CubePyramid& pyramid, float fin
     float sigma = std::max(finest_rad, texel / texel_in_sigmas);
 
     std::vector<Blurred> out;
-    const float before = (box_variance + binomial_variance + tent_variance) * texel * texel;
+    // Bilinear filtering counts twice: for the taps, and for whoever samples the result.
+    const float before = (box_variance + binomial_variance + 2.0F * tent_variance) * texel * texel;
     out.push_back(
         {blurred(binomial(source, pool), source.side, {sigma * sigma, before}, pool), sigma});
     while (2.0F * sigma < widest_rad && out.back().map.side > pyramid.mips.back().side) {
         const CubeMip& finer = out.back().map;
-        const float step = middle_texel_rad(finer.side);
+        const float step = middle_texel_rad(finer.side / 2);
         CubeMip next = blurred(finer, finer.side / 2,
                                {3.0F * sigma * sigma, tent_variance * step * step}, pool);
         sigma *= 2.0F;

@@ -63,11 +63,13 @@ std::optional<Asset> open_asset(base::Bytes file, Origin origin, const base::Lim
     }
     auto json = parse_json(text, limits);
     if (!json) {
-        problems.add(to_problem("INVALID_JSON", json.error().where, json.error()));
+        const bool is_range = json.error().what == "number does not fit";
+        problems.add(to_problem(is_range ? "VALUE_NOT_IN_RANGE" : "INVALID_JSON",
+                                json.error().where, json.error()));
         return std::nullopt;
     }
     if (!json->is_object()) {
-        problems.error("INVALID_JSON", "", "the document is not an object", brief(*json));
+        problems.error("TYPE_MISMATCH", "", "the document is not an object", brief(*json));
         return std::nullopt;
     }
     asset.json = std::move(*json);

@@ -88,6 +88,8 @@ struct Asset {
     std::vector<Buffer> buffers;
     std::vector<View> views;
     std::vector<Accessor> accessors;
+    std::vector<std::string>
+        image_mimes;  ///< by image: what its bytes are, where they were looked at
     std::vector<std::filesystem::path> reads;
     std::size_t memory_left = 0;  ///< of limits.memory_bytes, after what was allocated so far
 };

@@ -1,5 +1,5 @@
-// The vertex attributes glTF names (glTF 2.0, section 3.7.2.1) and KHR_mesh_quantization's formats
-// of them. SPDX-License-Identifier: MIT
+// The vertex attributes glTF names, and KHR_mesh_quantization's formats of them.
+// SPDX-License-Identifier: MIT
 #include "scene/gltf/attributes.h"
 
 #include <array>

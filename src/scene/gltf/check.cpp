@@ -1,5 +1,5 @@
-// The order in which a glTF document is checked: each step relies on what the ones before found
-// sound. SPDX-License-Identifier: MIT
+// The order in which a glTF document is checked: each step relies on those before.
+// SPDX-License-Identifier: MIT
 #include "scene/gltf/check.h"
 
 #include "scene/gltf/schema.h"
@@ -20,9 +20,9 @@ void check_asset(Asset& asset, Depth depth, const base::Limits& limits, Problems
     check_skins(asset, problems);
     check_animations(asset, problems);
     check_cameras(asset, problems);
-    check_materials(asset, problems);
     check_images(asset, depth, limits, problems);
-    (void)depth;  // if (depth == Depth::elements) check_elements(asset, problems);
+    check_materials(asset, problems);
+    if (depth == Depth::elements) check_elements(asset, problems);
 }
 
 }  // namespace facet::scene::gltf

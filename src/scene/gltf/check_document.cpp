@@ -93,7 +93,7 @@ void check_version(const Json& json, Problems& problems) {
         problems.error("ASSET_MIN_VERSION_GREATER_THAN_VERSION", "/asset/minVersion",
                        "minVersion is above version", string_at(*asset, "minVersion"));
     else if (needed && *needed > Version(2, 0))
-        problems.add({.severity = Severity::warning,
+        problems.add({.severity = Severity::information,
                       .code = "UNKNOWN_ASSET_MIN_VERSION",
                       .pointer = "/asset/minVersion",
                       .what = "file asks for a newer glTF than 2.0",

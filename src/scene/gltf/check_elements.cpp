@@ -82,7 +82,7 @@ void check_bounds(const Json& json, const Accessor& accessor, const std::vector<
 void check_elements(const Asset& asset, Problems& problems) {
     for (std::size_t i = 0; i < asset.accessors.size(); ++i) {
         const Accessor& accessor = asset.accessors[i];
-        if (!accessor.is_sound) continue;
+        if (!accessor.is_sound || !has_data(accessor)) continue;
         const std::string where = pointer_text("accessors", i);
         const std::vector<double> values = read_raw(accessor);
         const std::size_t before = problems.error_count();

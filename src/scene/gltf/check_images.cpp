@@ -14,6 +14,7 @@ namespace {
 struct Looking {
     Asset& asset;
     const Json& json;
+    std::size_t index;
     std::string where;
     const base::Limits& limits;
     Problems& problems;
@@ -89,12 +90,15 @@ void check_bytes(Looking& l, std::span<const std::byte> bytes, const std::string
     if (!embedded.empty() && embedded != mime)
         l.problems.error("INVALID_URI", at, "data URI is not of its own media type",
                          fmt::format("{}, declared {}", mime, embedded));
+    l.asset.image_mimes[l.index] = mime;
     check_declared(l, mime, string_at(l.json, "mimeType"), at);
     if (mime == "image/webp" && !l.allows_webp)
         l.problems.error("IMAGE_NON_ENABLED_MIME_TYPE", l.where, "WebP needs EXT_texture_webp");
     const auto header = image::read_header(bytes, l.limits);
     if (!header) {
-        l.problems.add(to_problem("IMAGE_DATA_INVALID", l.where, header.error()));
+        const bool is_cut = header.error().what.find("cut") != std::string::npos;
+        l.problems.add(to_problem(is_cut ? "IMAGE_UNEXPECTED_EOS" : "IMAGE_DATA_INVALID", l.where,
+                                  header.error()));
         return;
     }
     const auto is_power_of_two = [](std::uint32_t n) { return (n & (n - 1)) == 0; };
@@ -132,10 +136,11 @@ bool uses(const Json& json, const char* extension) {
 
 void check_images(Asset& asset, Depth depth, const base::Limits& limits, Problems& problems) {
     const bool allows_webp = uses(asset.json, "EXT_texture_webp");
+    asset.image_mimes.resize(count_at(asset.json, "images"));
     for (std::size_t i = 0; i < count_at(asset.json, "images"); ++i) {
         const Json& json = *element_at(asset.json, "images", i);
         if (!json.is_object()) continue;
-        Looking looking{asset, json, pointer_text("images", i), limits, problems, allows_webp};
+        Looking looking{asset, json, i, pointer_text("images", i), limits, problems, allows_webp};
         check_source(looking);
         if (const std::string uri = string_at(json, "uri"); find(json, "uri") != nullptr)
             check_uri(looking, uri);

@@ -1,6 +1,7 @@
 // Checks of materials: properties that only make sense together.
 // SPDX-License-Identifier: MIT
 #include "scene/gltf/check.h"
+#include "scene/gltf/schema.h"
 
 #include <spdlog/fmt/fmt.h>
 
@@ -18,6 +19,14 @@ struct Material {
     [[nodiscard]] const Json* extension(std::string_view name) const {
         const Json* const extensions = find(json, "extensions");
         return extensions != nullptr ? find(*extensions, name) : nullptr;
+    }
+    /// One that might do what a known one does not.
+    [[nodiscard]] bool has_unknown_extension() const {
+        for (const auto& [name, value] : find(json, "extensions")->items())
+            if (std::none_of(extension_rules().begin(), extension_rules().end(),
+                             [&](const ExtensionRule& rule) { return rule.name == name; }))
+                return true;
+        return false;
     }
     void note(Severity severity, std::string_view code, std::string_view path, std::string what) {
         problems.note(severity, code, where + std::string(path), std::move(what));
@@ -42,7 +51,7 @@ void check_volume(Material& m) {
     const Json* const volume = m.extension("KHR_materials_volume");
     constexpr std::string_view path = "/extensions/KHR_materials_volume";
     if (volume != nullptr && m.extension("KHR_materials_transmission") == nullptr &&
-        m.extension("KHR_materials_diffuse_transmission") == nullptr)
+        !m.has_unknown_extension())
         m.note(Severity::warning, "KHR_MATERIALS_VOLUME_NO_TRANSMISSION", path,
                "a volume that no light enters");
     const double thickness =
@@ -100,7 +109,8 @@ void check_material(Material& m) {
     if (find(m.json, "alphaCutoff") != nullptr && string_at(m.json, "alphaMode") != "MASK")
         m.note(Severity::warning, "MATERIAL_ALPHA_CUTOFF_INVALID_MODE", "/alphaCutoff",
                "cutoff without alpha mode MASK");
-    if (m.extension("KHR_materials_emissive_strength") != nullptr &&
+    const Json* const strength = m.extension("KHR_materials_emissive_strength");
+    if (strength != nullptr && number_at(*strength, "emissiveStrength").value_or(0.0) > 0 &&
         is_zero(find(m.json, "emissiveFactor")))
         m.note(Severity::warning, "KHR_MATERIALS_EMISSIVE_STRENGTH_ZERO_FACTOR",
                "/extensions/KHR_materials_emissive_strength",
@@ -116,7 +126,9 @@ void check_texture(const Asset& asset, std::size_t index, Problems& problems) {
     const Json& texture = *element_at(asset.json, "textures", index);
     const auto mime_of = [&](std::optional<std::uint32_t> image) {
         const Json* const json = image ? element_at(asset.json, "images", *image) : nullptr;
-        return json != nullptr ? string_at(*json, "mimeType") : std::string();
+        if (json == nullptr) return std::string();
+        const std::string& found = asset.image_mimes[*image];
+        return found.empty() ? string_at(*json, "mimeType") : found;
     };
     const std::string plain = mime_of(index_at(texture, "source"));
     if (!plain.empty() && plain != "image/jpeg" && plain != "image/png")

@@ -1,5 +1,5 @@
-// Checks of meshes: attributes, their formats and counts, indices, morph targets, and what the
-// material needs. SPDX-License-Identifier: MIT
+// Checks of meshes: attributes, formats, counts, indices, morph targets.
+// SPDX-License-Identifier: MIT
 #include "scene/gltf/attributes.h"
 #include "scene/gltf/check.h"
 #include "scene/gltf/material_needs.h"
@@ -123,7 +123,8 @@ void check_continuity(Looking& l, const Json& attributes) {
 
 void check_counts(Looking& l, const Json& attributes) {
     std::size_t count = 0;
-    std::map<std::uint32_t, std::size_t> uses;  // of each view without a stride
+    std::map<std::uint32_t, std::set<std::uint64_t>>
+        uses;  // accessors in each view without a stride
     for (const auto& [name, value] : attributes.items()) {
         const Accessor* const accessor = l.accessor(value);
         if (accessor == nullptr) continue;
@@ -136,7 +137,8 @@ void check_counts(Looking& l, const Json& attributes) {
         const auto view = index_at(l.json_of(value), "bufferView");
         const Json* const view_json =
             view ? element_at(l.asset.json, "bufferViews", *view) : nullptr;
-        if (view_json != nullptr && find(*view_json, "byteStride") == nullptr && ++uses[*view] > 1)
+        if (view_json == nullptr || find(*view_json, "byteStride") != nullptr) continue;
+        if (uses[*view].insert(*as_unsigned(value)).second && uses[*view].size() > 1)
             l.problems.error("MESH_PRIMITIVE_ACCESSOR_WITHOUT_BYTESTRIDE", at,
                              "two attributes in one buffer view without a stride");
     }
@@ -229,7 +231,8 @@ void check_morphs(const Asset& asset, std::size_t index, Problems& problems) {
     for (std::size_t p = 1; p < primitive_count; ++p) {
         const Json& primitive = *element_at(mesh, "primitives", p);
         const std::size_t count = count_at(primitive, "targets");
-        if (count == target_count || !primitive.is_object()) continue;
+        const Json* const targets = find(primitive, "targets");
+        if (count == target_count || (targets != nullptr && !targets->is_array())) continue;
         const std::string where = fmt::format("/meshes/{}/primitives/{}", index, p);
         problems.error("MESH_PRIMITIVES_UNEQUAL_TARGETS_COUNT",
                        count > 0 ? where + "/targets" : where,

@@ -14,27 +14,22 @@
 namespace facet::scene::gltf {
 namespace {
 
-/// Tolerances of the validator, which allow for 8-bit normals.
-constexpr double unit_tolerance = 0.00769;
-constexpr double sum_tolerance = 2e-7;
-constexpr std::size_t most_told = 3;  ///< of one kind and place
-
-const Accessor* sound_accessor(const Asset& asset, const Json* index) {
-    const auto at = index != nullptr ? as_unsigned(*index) : std::nullopt;
-    if (!at || *at >= asset.accessors.size() || !asset.accessors[*at].is_sound) return nullptr;
-    return &asset.accessors[*at];
-}
+constexpr double sum_tolerance = 2e-7;  // of the validator, for each weight
 
 void check_indices(const Asset& asset, const Json& primitive, const std::string& where,
                    Problems& problems) {
     const Accessor* const accessor = sound_accessor(asset, find(primitive, "indices"));
-    const Accessor* const position =
-        sound_accessor(asset, find_path(primitive, "attributes/POSITION"));
+    const Json* const attributes = find(primitive, "attributes");
+    const auto position = attributes != nullptr ? index_at(*attributes, "POSITION") : std::nullopt;
     if (accessor == nullptr || accessor->components != 1) return;
     const std::vector<std::uint32_t> indices = read_unsigned(*accessor);
     const std::uint64_t restart =
         (std::uint64_t{1} << (8 * component_bytes(accessor->component))) - 1;
-    const std::size_t vertex_count = position != nullptr ? position->count : restart;
+    // Its count matters even where it has no data.
+    const std::uint32_t position_index = position.value_or(0);
+    const bool is_known = position && position_index < asset.accessors.size();
+    const std::size_t known = is_known ? asset.accessors[position_index].count : 0;
+    const std::size_t vertex_count = known > 0 ? known : restart;
     std::size_t told = 0;
     for (std::size_t i = 0; i < indices.size() && told < most_told; ++i) {
         if (indices[i] == restart)
@@ -145,7 +140,7 @@ void check_vertex(const Influences& in, std::size_t v, std::size_t joint_count,
         const std::uint32_t joint = in.joints[i / 4][v * 4 + i % 4];
         const float weight = in.weights[i / 4][v * 4 + i % 4];
         const std::string set = std::to_string(i / 4);
-        sum += static_cast<double>(weight);
+        sum += std::fmax(static_cast<double>(weight), 0.0);
         if (weight < 0.0F)
             problems.error("ACCESSOR_WEIGHTS_NEGATIVE", where + "/attributes/WEIGHTS_" + set,
                            "joint weight is negative", fmt::format("{} of vertex {}", weight, v));
@@ -194,6 +189,13 @@ void check_influences(const Asset& asset, const Json& primitive, std::size_t joi
 
 }  // namespace
 
+const Accessor* sound_accessor(const Asset& asset, const Json* index) {
+    const auto at = index != nullptr ? as_unsigned(*index) : std::nullopt;
+    if (!at || *at >= asset.accessors.size()) return nullptr;
+    const Accessor& accessor = asset.accessors[*at];
+    return accessor.is_sound && has_data(accessor) ? &accessor : nullptr;
+}
+
 void check_primitive_elements(const Asset& asset, Problems& problems) {
     for (std::size_t m = 0; m < count_at(asset.json, "meshes"); ++m) {
         const Json& mesh = *element_at(asset.json, "meshes", m);
@@ -211,75 +213,6 @@ void check_primitive_elements(const Asset& asset, Problems& problems) {
                 if (parsed && accessor != nullptr)
                     check_attribute(*accessor, parsed->semantic, where + "/attributes/" + name,
                                     problems);
-            }
-        }
-    }
-}
-
-void check_bind_matrices(const Asset& asset, Problems& problems) {
-    for (std::size_t s = 0; s < count_at(asset.json, "skins"); ++s) {
-        const Accessor* const accessor =
-            sound_accessor(asset, find(*element_at(asset.json, "skins", s), "inverseBindMatrices"));
-        if (accessor == nullptr || accessor->components != 16) continue;
-        const std::vector<float> values = read_floats(*accessor);
-        std::size_t told = 0;
-        for (std::size_t i = 0; i < values.size() && told < 8; ++i) {
-            if (i % 4 != 3 || values[i] == (i % 16 == 15 ? 1.0F : 0.0F)) continue;
-            problems.error("ACCESSOR_INVALID_IBM", pointer_text("skins", s, "/inverseBindMatrices"),
-                           "last row of a bind matrix is not 0 0 0 1",
-                           fmt::format("{} at {}", values[i], i));
-            ++told;
-        }
-    }
-}
-
-void check_keyframes(const Asset& asset, Problems& problems) {
-    for (std::size_t a = 0; a < count_at(asset.json, "animations"); ++a) {
-        const Json& animation = *element_at(asset.json, "animations", a);
-        for (std::size_t s = 0; s < count_at(animation, "samplers"); ++s) {
-            const std::string at = fmt::format("/animations/{}/samplers/{}/input", a, s);
-            const Accessor* const input =
-                sound_accessor(asset, find(*element_at(animation, "samplers", s), "input"));
-            if (input == nullptr || input->component != Component::f32 || input->components != 1)
-                continue;
-            const std::vector<float> times = read_floats(*input);
-            std::size_t told = 0;
-            for (std::size_t i = 0; i < times.size() && told < most_told; ++i) {
-                if (times[i] < 0.0F)
-                    problems.error("ACCESSOR_ANIMATION_INPUT_NEGATIVE", at, "time is negative",
-                                   fmt::format("{} at {}", times[i], i));
-                else if (i > 0 && times[i] <= times[i - 1])
-                    problems.error("ACCESSOR_ANIMATION_INPUT_NON_INCREASING", at,
-                                   "times do not increase",
-                                   fmt::format("{} at {} after {}", times[i], i, times[i - 1]));
-                else
-                    continue;
-                ++told;
-            }
-        }
-        for (std::size_t c = 0; c < count_at(animation, "channels"); ++c) {
-            const Json& channel = *element_at(animation, "channels", c);
-            const Json* const path = find_path(channel, "target/path");
-            const auto index = index_at(channel, "sampler");
-            const Json* const sampler = index ? element_at(animation, "samplers", *index) : nullptr;
-            if (path == nullptr || *path != "rotation" || sampler == nullptr) continue;
-            const Accessor* const output = sound_accessor(asset, find(*sampler, "output"));
-            if (output == nullptr || output->components != 4) continue;
-            const bool is_cubic = string_at(*sampler, "interpolation") == "CUBICSPLINE";
-            const std::vector<float> values = read_floats(*output);
-            std::size_t told = 0;
-            for (std::size_t q = 0; q * 4 + 3 < values.size() && told < most_told; ++q) {
-                if (is_cubic && q % 3 != 1) continue;  // tangents before and after the value
-                double square = 0;
-                for (std::size_t i = 0; i < 4; ++i)
-                    square += static_cast<double>(values[q * 4 + i]) *
-                              static_cast<double>(values[q * 4 + i]);
-                if (std::fabs(std::sqrt(square) - 1.0) <= unit_tolerance) continue;
-                problems.error("ACCESSOR_ANIMATION_SAMPLER_OUTPUT_NON_NORMALIZED_QUATERNION",
-                               fmt::format("/animations/{}/channels/{}/sampler", a, c),
-                               "quaternion is not of length 1",
-                               fmt::format("{} at {}", std::sqrt(square), q));
-                ++told;
             }
         }
     }

@@ -7,6 +7,14 @@
 
 namespace facet::scene::gltf {
 
+/// The accessor that `index` names, where it has elements to look at.
+[[nodiscard]] const Accessor* sound_accessor(const Asset& asset, const Json* index);
+
+/// How many problems of one kind are told of one place.
+inline constexpr std::size_t most_told = 3;
+/// Of the validator, which allows for 8-bit normals.
+inline constexpr double unit_tolerance = 0.00769;
+
 /// Indices, unit vectors, colors, joints and weights of every primitive.
 void check_primitive_elements(const Asset& asset, Problems& problems);
 /// Last rows of inverse bind matrices.

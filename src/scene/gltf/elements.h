@@ -1,5 +1,5 @@
-// Elements of a sound accessor as floats or indices: strides, normalisation and sparse values
-// undone. SPDX-License-Identifier: MIT
+// Elements of a sound accessor as numbers: strides and sparse values undone.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include "scene/gltf/asset.h"
@@ -9,6 +9,11 @@
 
 namespace facet::scene::gltf {
 
+/// Whether the file says anything about the elements; where not, all are zeros and nothing to
+/// judge.
+[[nodiscard]] inline bool has_data(const Accessor& accessor) {
+    return !accessor.bytes.empty() || !accessor.sparse_indices.empty();
+}
 /// [count, components] floats; normalised integers become [0, 1] or [-1, 1], others keep their
 /// value (glTF 2.0, section 3.6.2.2). Matrices by columns. Precondition: is_sound.
 [[nodiscard]] std::vector<float> read_floats(const Accessor& accessor);

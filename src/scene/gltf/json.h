@@ -30,6 +30,9 @@ public:
     [[nodiscard]] Pointer operator/(std::string_view key) const { return Pointer(this, key, 0); }
     [[nodiscard]] Pointer operator/(std::size_t index) const { return Pointer(this, {}, index); }
     [[nodiscard]] std::string text() const;
+    [[nodiscard]] std::size_t depth() const noexcept {
+        return parent_ == nullptr ? 0 : parent_->depth() + 1;
+    }
 
 private:
     Pointer(const Pointer* parent, std::string_view key, std::size_t index)

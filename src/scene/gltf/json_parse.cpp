@@ -5,7 +5,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <cmath>
-#include <limits>
+#include <cstdio>
 #include <vector>
 
 namespace facet::scene::gltf {
@@ -54,17 +54,26 @@ public:
     }
     bool parse_error(std::size_t at, const std::string& token,
                      const nlohmann::detail::exception& fault) override {
-        // "[json.exception…] parse error at line 3, column 7: …": the part in front is the
-        // library's.
-        std::string what = fault.what();
-        if (const auto start = what.find("parse error"); start != std::string::npos)
-            what.erase(0, start);
-        // A number too large for a double is reported here as well.
-        const bool is_range = what.find("number overflow") != std::string::npos;
-        error_ = {.code = base::ErrorCode::input_invalid,
-                  .where = fmt::format("@{:#x}", at),
-                  .what = is_range ? "number does not fit" : "not valid JSON: " + what,
-                  .found = token};
+        // "[json.exception.parse_error.101] parse error at line 3, column 7: syntax error …": only
+        // the end of it is for the user.
+        std::string text = fault.what();
+        if (text.find("number overflow") != std::string::npos) {
+            error_ = {.code = base::ErrorCode::input_invalid,
+                      .where = fmt::format("@{:#x}", at),
+                      .what = "number does not fit",
+                      .found = token};
+            return false;
+        }
+        unsigned line = 0;
+        unsigned column = 0;
+        if (const auto start = text.find("at line "); start != std::string::npos)
+            std::sscanf(text.c_str() + start, "at line %u, column %u", &line, &column);
+        if (const auto end = text.find(": "); end != std::string::npos) text.erase(0, end + 2);
+        error_ = {
+            .code = base::ErrorCode::input_invalid,
+            .where = line > 0 ? fmt::format("{}:{}", line, column) : fmt::format("@{:#x}", at),
+            .what = "not valid JSON",
+            .found = text};
         return false;
     }
 

@@ -1,5 +1,5 @@
-// Problems of a glTF file, collected while it is looked at: what `check` prints and `load` decides
-// by. SPDX-License-Identifier: MIT
+// Problems of a glTF file: what `check` prints and `load` decides by.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include "base/result.h"

@@ -83,6 +83,11 @@ bool read_shape(const Json& json, Accessor& accessor) {
 
 bool check_alignment(Reading& r, std::uint64_t offset, const Json& view) {
     const std::size_t size = component_bytes(r.accessor.component);
+    if (r.accessor.rows > 0 && offset % 4 != 0) {
+        r.problems.error("ACCESSOR_MATRIX_ALIGNMENT", r.where + "/byteOffset",
+                         "matrices are not aligned to 4 bytes", std::to_string(offset));
+        return false;
+    }
     bool is_aligned = true;
     if (offset % size != 0) {
         r.problems.error("ACCESSOR_OFFSET_ALIGNMENT", r.where + "/byteOffset",
@@ -156,8 +161,7 @@ std::span<const std::byte> sparse_table(Reading& r, const char* key, std::size_t
     const std::uint64_t offset = unsigned_at(*table, "byteOffset").value_or(0);
     const std::uint64_t length = unsigned_at(view, "byteLength").value_or(0);
     if (find(view, "byteStride") != nullptr)
-        r.problems.error("BUFFER_VIEW_INVALID_BYTE_STRIDE",
-                         pointer_text("bufferViews", *view_index, "/byteStride"),
+        r.problems.error("BUFFER_VIEW_INVALID_BYTE_STRIDE", where + "/bufferView",
                          "sparse data must be tightly packed");
     if ((offset % alignment + unsigned_at(view, "byteOffset").value_or(0) % alignment) %
             alignment !=
@@ -206,12 +210,11 @@ bool read_sparse(Reading& r) {
     if (sparse == nullptr) return true;
     const auto count = unsigned_at(*sparse, "count");
     if (!count || *count == 0) return false;
-    if (*count > r.accessor.count) {
+    const bool is_too_many = *count > r.accessor.count;
+    if (is_too_many)
         r.problems.error("ACCESSOR_SPARSE_COUNT_OUT_OF_RANGE", r.where + "/sparse/count",
                          "more sparse elements than elements",
                          fmt::format("{}, but there are {}", *count, r.accessor.count));
-        return false;
-    }
     const Json* const indices = find(*sparse, "indices");
     const auto component = indices != nullptr ? component_of(*indices) : std::nullopt;
     if (!component || *component == Component::i8 || *component == Component::i16 ||
@@ -224,7 +227,7 @@ bool read_sparse(Reading& r) {
         r.accessor.rows > 0 ? r.accessor.column_stride * (r.accessor.components / r.accessor.rows)
                             : r.element_size;
     r.accessor.sparse_values = sparse_table(r, "values", *count, packed, own_size);
-    if (index_bytes.empty() || r.accessor.sparse_values.empty()) return false;
+    if (is_too_many || index_bytes.empty() || r.accessor.sparse_values.empty()) return false;
     return read_sparse_indices(r, index_bytes, size, *count);
 }
 

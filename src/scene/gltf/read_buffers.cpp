@@ -36,6 +36,7 @@ void take_bin(Asset& asset, std::uint64_t length, Buffer& buffer, Problems& prob
 /// The code for a URI that could not be read.
 std::string_view code_of(const std::string& uri, const base::Error& error) {
     if (is_data_uri(uri)) return "INVALID_URI";
+    if (error.what == "the network is never used") return "NON_RELATIVE_URI";
     return error.what == "no such file" || error.what == "not a regular file" ? "IO_ERROR"
                                                                               : "INVALID_URI";
 }
@@ -57,7 +58,9 @@ void fetch(Asset& asset, const std::string& uri, std::uint64_t length, Buffer& b
            const std::string& where, Problems& problems) {
     auto bytes = read_uri(asset, uri, asset.memory_left);
     if (!bytes) {
-        problems.add(to_problem(code_of(uri, bytes.error()), where + "/uri", bytes.error()));
+        Problem problem = to_problem(code_of(uri, bytes.error()), where + "/uri", bytes.error());
+        if (problem.code == "NON_RELATIVE_URI") problem.severity = Severity::warning;
+        problems.add(std::move(problem));
         return;
     }
     if (bytes->size() < length) {

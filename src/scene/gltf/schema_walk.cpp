@@ -110,8 +110,7 @@ Kind element_kind(Kind kind) {
 
 bool Walk::matches(const Json& value, Kind kind, const Pointer& at, bool is_element) {
     if (has_kind(value, kind)) return true;
-    const bool is_plain_element = is_element && kind != Kind::object && kind != Kind::index_map;
-    problems.error(is_plain_element ? "ARRAY_TYPE_MISMATCH" : "TYPE_MISMATCH", at.text(),
+    problems.error(is_element ? "ARRAY_TYPE_MISMATCH" : "TYPE_MISMATCH", at.text(),
                    fmt::format("not of type {}", kind_name(kind)), brief(value));
     return false;
 }
@@ -123,6 +122,10 @@ void Walk::reference(const Json& value, const Rule& rule, const Pointer& at) {
         return;
     }
     const Json* const target = find_path(root, rule.refers_to);
+    // An extension that is not there at all is told where it is used, once.
+    if (target == nullptr && rule.refers_to.starts_with("extensions/") &&
+        find_path(root, rule.refers_to.substr(0, rule.refers_to.rfind('/'))) == nullptr)
+        return;
     const std::size_t count = target != nullptr && target->is_array() ? target->size() : 0;
     if (*index >= count)
         problems.error("UNRESOLVED_REFERENCE", at.text(),
@@ -165,7 +168,12 @@ void Walk::array(const Json& value, const Rule& rule, const Pointer& at) {
     std::set<std::string> seen;
     for (std::size_t i = 0; i < value.size(); ++i) {
         const Pointer here = at / i;
-        if (!matches(value[i], element_kind(rule.kind), here, true)) continue;
+        // The validator tells of a list's wrong element at the list, except in the document's own
+        // lists.
+        const Kind kind = element_kind(rule.kind);
+        const bool is_told_here =
+            at.depth() < 2 || !(kind == Kind::object || kind == Kind::index_map);
+        if (!matches(value[i], kind, is_told_here ? here : at, at.depth() > 1)) continue;
         if (rule.kind == Kind::objects)
             object(value[i], *rule.shape, here);
         else if (rule.kind == Kind::index_maps)

@@ -21,7 +21,7 @@ constexpr auto harmless = std::to_array<std::string_view>(
      "UNEXPECTED_EXTENSION_OBJECT",
      "UNUSED_EXTENSION_REQUIRED",
      "NON_REQUIRED_EXTENSION",
-     "DUPLICATE_ELEMENTS",  // indices twice; child twice is NODE_PARENT_OVERRIDE
+     "DUPLICATE_ELEMENTS_IGNORED",  // indices twice; child twice is NODE_PARENT_OVERRIDE
      "BUFFER_VIEW_TARGET_OVERRIDE",
      "BUFFER_DATA_URI_MIME_TYPE_INVALID",
      "MESH_PRIMITIVE_NO_TANGENT_SPACE",
@@ -45,6 +45,10 @@ constexpr auto harmless = std::to_array<std::string_view>(
 constexpr auto audible = std::to_array<std::string_view>(
     {"GLB_EXTRA_DATA", "GLB_UNKNOWN_CHUNK_TYPE", "BUFFER_GLB_CHUNK_TOO_BIG",
      "UNKNOWN_ASSET_MINOR_VERSION", "CAMERA_YFOV_GEQUAL_PI", "NODE_SKINNED_MESH_WITHOUT_SKIN"});
+
+/// Fine for the validator, not for a renderer that keeps off the network and knows 2.0 only.
+constexpr auto refused =
+    std::to_array<std::string_view>({"NON_RELATIVE_URI", "UNKNOWN_ASSET_MIN_VERSION"});
 
 template <class Table>
 bool has(const Table& table, std::string_view code) {
@@ -79,6 +83,7 @@ Verdict verdict_of(const Problem& problem) {
                                    is_clamped(problem) || is_harmless_emptiness(problem);
         return is_downgraded ? Verdict::warning : Verdict::error;
     }
+    if (has(refused, problem.code)) return Verdict::error;
     if (problem.code == "VALUE_NOT_IN_LIST" && !is_of_animation(problem)) {
         const bool is_light = problem.pointer.starts_with("/extensions/KHR_lights_punctual");
         return is_light ? Verdict::silent : Verdict::error;

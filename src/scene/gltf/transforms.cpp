@@ -1,5 +1,5 @@
-// Where the nodes of a glTF model are: matrices or TRS, multiplied from the roots down without
-// recursion. SPDX-License-Identifier: MIT
+// Where the nodes of a glTF model are, from the roots down without recursion.
+// SPDX-License-Identifier: MIT
 #include "scene/gltf/transforms.h"
 
 #include <spdlog/fmt/fmt.h>

@@ -140,20 +140,37 @@ base::Result<DataUri> decode_data_uri(std::string_view uri, std::size_t max_byte
     const std::size_t comma = uri.find(',');
     if (comma == std::string_view::npos)
         return invalid("data URI without a comma", std::string(uri.substr(0, 40)));
-    const std::string_view header = uri.substr(5, comma - 5);
+    std::string_view header = uri.substr(5, comma - 5);
+    const std::string_view content = uri.substr(comma + 1);
     constexpr std::string_view encoding = ";base64";
-    if (!header.ends_with(encoding))
-        return invalid("data URI is not base64", std::string(header.substr(0, 80)));
-    const std::string_view mime = header.substr(0, header.size() - encoding.size());
-    auto bytes = decode_base64(uri.substr(comma + 1), max_bytes);
-    if (!bytes) return tl::unexpected(bytes.error());
-    return DataUri{.mime = std::string(mime.substr(0, mime.find(';'))), .bytes = std::move(*bytes)};
+    const bool is_base64 = header.ends_with(encoding);
+    if (is_base64) header.remove_suffix(encoding.size());
+    // After the media type come parameters of the form ;name=value, and nothing else.
+    for (std::size_t at = header.find(';'); at != std::string_view::npos;) {
+        const std::size_t end = std::min(header.find(';', at + 1), header.size());
+        if (header.substr(at, end - at).find('=') == std::string_view::npos)
+            return invalid("broken parameter of a data URI", std::string(header.substr(0, 80)));
+        at = end == header.size() ? std::string_view::npos : end;
+    }
+    DataUri out{.mime = std::string(header.substr(0, header.find(';'))), .bytes = {}};
+    if (is_base64) {
+        auto bytes = decode_base64(content, max_bytes);
+        if (!bytes) return tl::unexpected(bytes.error());
+        out.bytes = std::move(*bytes);
+        return out;
+    }
+    const auto text = percent_decoded(content);
+    if (!text) return tl::unexpected(text.error());
+    const auto* const first = reinterpret_cast<const std::byte*>(text->data());
+    out.bytes.assign(first, first + text->size());
+    return out;
 }
 
 base::Result<std::string> decode_relative_uri(std::string_view uri) {
     constexpr std::string_view gate = "--allow-read DIR if it may be read";
     const std::string shown(uri.substr(0, 200));
     if (uri.empty()) return invalid("empty URI", "");
+    if (uri[0] == ':') return invalid("URI with an empty scheme", shown);
     if (const std::string_view scheme = scheme_of(uri); scheme.size() > 1 && scheme != "file")
         return invalid("the network is never used", shown, "download it beside the model");
     if (!scheme_of(uri).empty())

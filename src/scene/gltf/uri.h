@@ -17,8 +17,9 @@ struct DataUri {
     std::string mime;
     base::Bytes bytes;
 };
-/// `data:[mime];base64,…`. Errors: input_invalid (no base64, a wrong character and where, bad
-/// padding); limit_reached when the decoded bytes would exceed `max_bytes`, before any is decoded.
+/// `data:[mime][;name=value];base64,…`, or percent-encoded without `;base64`. Errors: input_invalid
+/// (no comma, a wrong character and where, bad padding); limit_reached when the decoded bytes would
+/// exceed `max_bytes`, before any is decoded.
 [[nodiscard]] base::Result<DataUri> decode_data_uri(std::string_view uri, std::size_t max_bytes);
 
 /// The relative path that `uri` names, percent-decoded exactly once. `+` stays `+`. Errors:

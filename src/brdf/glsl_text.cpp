@@ -1,0 +1,61 @@
+// The BRDF of a choice as GLSL.
+// SPDX-License-Identifier: MIT
+#include "brdf/glsl_text.h"
+
+#include <set>
+#include <string_view>
+
+#include <spdlog/fmt/fmt.h>
+
+#include "base/text.h"
+
+namespace facet::brdf {
+namespace {
+
+/// The slot that decides which row of `slot` is used: most decide for themselves.
+std::string_view deciding_slot(std::string_view slot) {
+    for (const tables::BrdfTerm& term : tables::brdf_terms)
+        if (term.slot == slot && !term.notes.follows.empty()) return term.notes.follows;
+    return slot;
+}
+
+/// The row of `slot` that `choice` picks; null where the table has a hole.
+const tables::BrdfTerm* chosen(std::string_view slot, const tables::BrdfChoice& choice) {
+    const std::string_view decider = deciding_slot(slot);
+    for (const tables::BrdfSlot& user_slot : tables::brdf_slots) {
+        if (user_slot.key != decider) continue;
+        std::size_t left = user_slot.index(choice);
+        for (const tables::BrdfTerm& term : tables::brdf_terms)
+            if (term.slot == slot && left-- == 0) return &term;
+    }
+    return nullptr;
+}
+
+}  // namespace
+
+base::Result<std::string> glsl_text(const tables::BrdfChoice& choice) {
+    const bool has_fresnel = choice.fresnel != tables::Fresnel::none;
+    const bool conserves = choice.multiscatter != tables::Multiscatter::off && has_fresnel;
+    std::string includes;
+    std::string slots;
+    std::set<std::string_view> seen;
+    for (const tables::BrdfSlotFunction& function : tables::brdf_slot_functions) {
+        const tables::BrdfTerm* term = chosen(function.slot, choice);
+        if (term == nullptr)
+            return base::fail({.what = "brdf_terms.def has no row for a slot", .found = std::string(function.slot)});
+        for (const std::string_view file : base::split(term->files, ' '))
+            if (!file.empty() && seen.insert(file).second)
+                includes += fmt::format("#include \"brdf/{}.glsl\"\n", file);
+        slots += fmt::format("{} {{ return {}; }}\n", function.signature, term->call);
+    }
+    std::string text = fmt::format("#define FACET_BRDF_NEEDS_E_L {}\n#include \"brdf/prelude.glsl\"\n",
+                                   choice.multiscatter == tables::Multiscatter::kulla_conty ? 1 : 0);
+    text += includes + slots;
+    text += fmt::format("bool slot_conserves() {{ return {}; }}\n", conserves);
+    text += fmt::format("bool slot_has_fresnel() {{ return {}; }}\n", has_fresnel);
+    for (const char* part : {"albedo_coordinates", "brdf_types", "conserving", "cook_torrance", "model"})
+        text += fmt::format("#include \"brdf/model/{}.glsl\"\n", part);
+    return text;
+}
+
+}  // namespace facet::brdf
