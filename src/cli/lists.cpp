@@ -145,7 +145,7 @@ Result<Exit> print_list(const std::string& what, const NamedCommand* command, Io
             io.print(base::escaped(entry.name));
         else
             io.print(
-                fmt::format("{:<28} {}", base::escaped(entry.name), base::escaped(entry.help)));
+                fmt::format("{:<28} {}", base::escaped(entry.name), base::escaped(entry.help, 400)));
     }
     return Exit::done;
 }

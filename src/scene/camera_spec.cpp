@@ -3,6 +3,7 @@
 #include "scene/camera_spec.h"
 
 #include "base/text.h"
+#include "scene/spec_text.h"
 
 #include <spdlog/fmt/fmt.h>
 
@@ -26,25 +27,6 @@ struct Orbit {
     std::optional<float> distance_m;
     std::optional<Vec3> target_m;
 };
-
-tl::unexpected<base::Error> usage(std::string what, std::string found, std::string remedy) {
-    return base::fail({.code = base::ErrorCode::usage,
-                       .what = std::move(what),
-                       .found = std::move(found),
-                       .remedy = std::move(remedy)});
-}
-
-std::optional<Vec3> parse_vector(std::string_view text) {
-    Vec3 v;
-    int filled = 0;
-    for (const std::string_view part : base::split(text, ' ')) {
-        if (part.empty()) continue;
-        const auto number = base::parse_number(part);
-        if (!number || filled == 3) return std::nullopt;
-        v[filled++] = static_cast<float>(*number);
-    }
-    return filled == 3 ? std::optional(v) : std::nullopt;
-}
 
 base::Result<Orbit> parse_orbit(std::string_view text) {
     static const std::array<std::string, 4> keys = {"azimuth", "elevation", "distance", "target"};

@@ -1,21 +1,30 @@
-// Lights from text: what --light says.
+// Lights from text: what --light and --set light.NAME.KEY say.
 // SPDX-License-Identifier: MIT
 #pragma once
-
-#include <string>
 
 #include "base/result.h"
 #include "scene/scene.h"
 
+#include <string>
+#include <string_view>
+
 namespace facet::scene {
 
-/// The light that `spec` describes: `KIND:key=value,…`, keys of the kind's row in tables/light_kinds.def.
-/// Vectors are `x y z`, angles degrees, `color` is `#rrggbb` (sRGB) or `r g b` (linear), and multiplies the colour
-/// of `temperature` (kelvin). Photometric: `lux` on a surface facing it, `candela`, or `lumen`, with
-/// I = flux / (4 pi) for a point and flux / (2 pi (1 - cos outer)) for a spot.
-/// Without an intensity: 3 lux or 10 candela, so that a metre-sized scene is lit as `studio` lights it.
-/// Errors: usage (unknown kind or key, with the nearest right ones; a value out of its range, with the range),
-/// feature_missing (a kind of the contract that is not there yet).
+/// The light that `spec` describes: `KIND:key=value,…` with the keys of the kind's row in
+/// tables/light_kinds.def. Vectors are `x y z` in metres, angles degrees; `azimuth` and `elevation`
+/// say where the light comes from, `target` where it shines to; `inner` and `outer` are half
+/// angles. `color` is `#rrggbb` (sRGB) or `r g b` (linear) and multiplies the colour of
+/// `temperature` (kelvin). `lux` is that of a facing surface; lumen become candela as flux / (4 pi)
+/// for a point, flux / (2 pi (1 - cos outer)) for a spot. Left out: 3 lux from azimuth 0, elevation
+/// 45; 10 candela at the origin; a spot shines at the origin, or straight down from there; the
+/// light's name is its kind. Errors: usage (unknown kind or key, with the nearest right ones; a
+/// value out of its range, with the range), feature_missing (a kind or key that is not there yet).
 [[nodiscard]] base::Result<Light> parse_light(const std::string& spec);
+
+/// Changes one value of a light; keys and errors as above. `color` and `temperature` replace the
+/// colour, `azimuth` keeps the elevation and the other way round. On an error the light is as it
+/// was.
+[[nodiscard]] base::Status set_light_key(Light& light, std::string_view key,
+                                         std::string_view value);
 
 }  // namespace facet::scene

@@ -1,0 +1,244 @@
+// Lights from text.
+// SPDX-License-Identifier: MIT
+#include "scene/light_spec.h"
+
+#include "base/text.h"
+#include "math/blackbody.h"
+#include "scene/spec.h"
+#include "tables/lights.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace facet::scene {
+namespace {
+
+using tables::LightKind;
+using tables::Range;
+
+constexpr Range metres{-1e9, 1e9};
+constexpr Range intensities{0.0, 1e9};
+constexpr float default_lux = 3.0F;
+constexpr float default_candela = 10.0F;
+constexpr float default_elevation_deg = 45.0F;
+constexpr float smallest_outer_deg = 0.1F;
+
+// A scene, batch or studio may name these already; a plain answer beats an unknown name.
+constexpr std::array<std::string_view, 4> later_kinds = {"rect", "disk", "sphere", "tube"};
+
+base::Status set_name(Light& light, std::string_view value) {
+    light.name = value;
+    return {};
+}
+
+base::Status set_color(Light& light, std::string_view value) {
+    const auto color = parse_color("color", value, {0.0, 1e4});
+    if (!color) return tl::unexpected(color.error());
+    light.color = *color;
+    return {};
+}
+
+base::Status set_temperature(Light& light, std::string_view value) {
+    const auto kelvin =
+        parse_in_range("temperature", value, {math::blackbody_min_k, math::blackbody_max_k});
+    if (!kelvin) return tl::unexpected(kelvin.error());
+    light.color = math::blackbody_color(*kelvin);
+    return {};
+}
+
+base::Status set_intensity(Light& light, std::string_view key, std::string_view value) {
+    const auto number = parse_in_range(key, value, intensities);
+    if (!number) return tl::unexpected(number.error());
+    light.intensity = *number;
+    if (key != "lumen") return {};
+    const float solid_angle_sr = light.kind == LightKind::spot
+                                     ? 2.0F * math::pi * (1.0F - std::cos(light.outer_cone_rad))
+                                     : 4.0F * math::pi;
+    light.intensity = *number / solid_angle_sr;
+    return {};
+}
+
+base::Status set_position(Light& light, std::string_view value) {
+    const auto position = parse_vector("position", value, metres);
+    if (!position) return tl::unexpected(position.error());
+    light.position_m = *position;
+    return {};
+}
+
+base::Status set_target(Light& light, std::string_view value) {
+    const auto target = parse_vector("target", value, metres);
+    if (!target) return tl::unexpected(target.error());
+    const Vec3 way = *target - light.position_m;
+    if (!(math::length(way) > 0.0F))
+        return usage_error("target is the light's own position", value, "move one of them");
+    light.direction = math::normalize(way);
+    return {};
+}
+
+base::Status set_angle(Light& light, std::string_view key, std::string_view value) {
+    const bool is_azimuth = key == "azimuth";
+    const auto degrees =
+        parse_in_range(key, value, is_azimuth ? Range{-3600.0, 3600.0} : Range{-90.0, 90.0});
+    if (!degrees) return tl::unexpected(degrees.error());
+    const Vec3 from = -light.direction;
+    const float azimuth_deg = glm::degrees(std::atan2(from.x, from.z));
+    const float elevation_deg = glm::degrees(std::asin(std::clamp(from.y, -1.0F, 1.0F)));
+    light.direction = -(is_azimuth ? math::direction_from(*degrees, elevation_deg)
+                                   : math::direction_from(azimuth_deg, *degrees));
+    return {};
+}
+
+base::Status set_cone(Light& light, std::string_view key, std::string_view value) {
+    const bool is_inner = key == "inner";
+    const auto degrees = parse_in_range(
+        key, value, {is_inner ? 0.0 : static_cast<double>(smallest_outer_deg), 90.0});
+    if (!degrees) return tl::unexpected(degrees.error());
+    (is_inner ? light.inner_cone_rad : light.outer_cone_rad) = glm::radians(*degrees);
+    return {};
+}
+
+base::Status set_range(Light& light, std::string_view value) {
+    const auto range = parse_in_range("range", value, {0.0, 1e9});
+    if (!range) return tl::unexpected(range.error());
+    light.range_m = *range;
+    return {};
+}
+
+tl::unexpected<base::Error> not_there_yet(std::string what, std::string_view found) {
+    return base::fail({.code = base::ErrorCode::feature_missing,
+                       .file = {},
+                       .where = {},
+                       .what = std::move(what),
+                       .found = std::string(found),
+                       .remedy = "directional, point and spot lights without a size are there"});
+}
+
+const tables::LightKindRow& row_of(LightKind kind) {
+    return tables::light_kinds[static_cast<std::size_t>(kind)];
+}
+
+std::vector<std::string> keys_of(LightKind kind) {
+    std::vector<std::string> out;
+    for (const std::string_view key : base::split(row_of(kind).keys, ',')) out.emplace_back(key);
+    return out;
+}
+
+/// `shadow` and `visible` say of every kind what is so today, or ask for what is not there.
+base::Status set_switch(std::string_view key, std::string_view value) {
+    if (value == "off") return {};
+    if (value == "on")
+        return not_there_yet(fmt::format("{} of lights is not there yet", key), value);
+    return usage_error(fmt::format("{} is neither on nor off", key), value, "on or off");
+}
+
+base::Status check_cone(const Light& light) {
+    if (light.kind != LightKind::spot || light.inner_cone_rad < light.outer_cone_rad) return {};
+    return usage_error("inner is not below outer",
+                       fmt::format("{:g} and {:g} degrees", glm::degrees(light.inner_cone_rad),
+                                   glm::degrees(light.outer_cone_rad)),
+                       "outer up to 90, inner from 0 to below outer");
+}
+
+base::Status set_unchecked(Light& light, std::string_view key, std::string_view value) {
+    if (key == "shadow" || key == "visible") return set_switch(key, value);
+    const auto keys = keys_of(light.kind);
+    if (std::find(keys.begin(), keys.end(), key) == keys.end())
+        return usage_error(fmt::format("unknown key of a {} light", row_of(light.kind).key), key,
+                           suggestion(key, keys));
+    if (key == "name") return set_name(light, value);
+    if (key == "color") return set_color(light, value);
+    if (key == "temperature") return set_temperature(light, value);
+    if (key == "position") return set_position(light, value);
+    if (key == "target") return set_target(light, value);
+    if (key == "azimuth" || key == "elevation") return set_angle(light, key, value);
+    if (key == "inner" || key == "outer") return set_cone(light, key, value);
+    if (key == "range") return set_range(light, value);
+    if (key == "radius") return not_there_yet("lights with a radius are not there yet", value);
+    return set_intensity(light, key, value);
+}
+
+base::Result<LightKind> parse_kind(std::string_view name) {
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < tables::light_kinds.size(); ++i) {
+        if (tables::light_kinds[i].key == name) return static_cast<LightKind>(i);
+        names.emplace_back(tables::light_kinds[i].key);
+    }
+    if (std::find(later_kinds.begin(), later_kinds.end(), name) != later_kinds.end())
+        return not_there_yet(fmt::format("{} lights are not there yet", name), name);
+    return usage_error("unknown kind of light", name, suggestion(name, names));
+}
+
+/// Values that others are reckoned from come first, whatever their order in the text.
+std::size_t turn_of(const std::string& key) {
+    constexpr std::array<std::string_view, 8> first = {
+        "temperature", "color", "position", "azimuth", "elevation", "target", "inner", "outer"};
+    return static_cast<std::size_t>(std::find(first.begin(), first.end(), key) - first.begin());
+}
+
+Light initial_light(LightKind kind) {
+    Light light;
+    light.kind = kind;
+    light.name = row_of(kind).key;
+    light.intensity = kind == LightKind::directional ? default_lux : default_candela;
+    light.direction = kind == LightKind::directional
+                          ? -math::direction_from(0.0F, default_elevation_deg)
+                          : Vec3(0.0F, -1.0F, 0.0F);
+    return light;
+}
+
+bool has(const std::vector<KeyValue>& pairs, std::string_view key) {
+    return std::any_of(pairs.begin(), pairs.end(),
+                       [&](const KeyValue& kv) { return kv.key == key; });
+}
+
+base::Status check_combination(const std::vector<KeyValue>& pairs) {
+    if (has(pairs, "candela") && has(pairs, "lumen"))
+        return usage_error("candela and lumen both set the intensity", "candela, lumen",
+                           "give one of them");
+    if (has(pairs, "target") && (has(pairs, "azimuth") || has(pairs, "elevation")))
+        return usage_error("target and angles both set the direction", "target, azimuth, elevation",
+                           "give one of them");
+    return {};
+}
+
+}  // namespace
+
+base::Status set_light_key(Light& light, std::string_view key, std::string_view value) {
+    Light changed = light;
+    if (auto set = set_unchecked(changed, key, value); !set) return set;
+    if (auto cone = check_cone(changed); !cone) return cone;
+    light = std::move(changed);
+    return {};
+}
+
+base::Result<Light> parse_light(const std::string& spec) {
+    const std::size_t colon = spec.find(':');
+    const auto kind = parse_kind(base::trimmed(std::string_view(spec).substr(0, colon)));
+    if (!kind) return tl::unexpected(kind.error());
+    auto pairs = parse_key_values(
+        colon == std::string::npos ? "" : std::string_view(spec).substr(colon + 1));
+    if (!pairs) return tl::unexpected(pairs.error());
+    if (auto combination = check_combination(*pairs); !combination)
+        return tl::unexpected(combination.error());
+    std::stable_sort(pairs->begin(), pairs->end(), [](const KeyValue& a, const KeyValue& b) {
+        return turn_of(a.key) < turn_of(b.key);
+    });
+    Light light = initial_light(*kind);
+    Vec3 of_temperature(1.0F);
+    for (const KeyValue& pair : *pairs) {
+        if (auto set = set_unchecked(light, pair.key, pair.value); !set)
+            return tl::unexpected(set.error());
+        if (pair.key == "temperature") of_temperature = light.color;
+        if (pair.key == "color") light.color *= of_temperature;
+    }
+    const bool aimed = has(*pairs, "target") || has(*pairs, "azimuth") || has(*pairs, "elevation");
+    if (!aimed && math::length(light.position_m) > 0.0F)
+        light.direction = -math::normalize(light.position_m);
+    if (auto cone = check_cone(light); !cone) return tl::unexpected(cone.error());
+    return light;
+}
+
+}  // namespace facet::scene
