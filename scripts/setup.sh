@@ -73,26 +73,21 @@ configure() {
     rm -f "$facet_root/.configure.log"
 }
 
-# build FOLDER [targets]: says nothing when there is nothing to do; the compiler's words when it fails.
+# build FOLDER [targets]: progress on a terminal; elsewhere nothing, but the compiler's words when it fails.
 build() {
-    local folder=$1
+    local folder=$1 log
     shift
-    local pending
-    pending=$(cd "$folder" && ninja -n "$@" 2>/dev/null | tail -n 1)
-    if [[ $pending != *'no work to do'* ]]; then
-        [[ $pending =~ \[[0-9]+/([0-9]+)\] ]] && facet_say "building (${BASH_REMATCH[1]} steps)"
-    fi
-    local log
-    log=$(mktemp)
+    [[ -e $folder/.ninja_log ]] || facet_say "building $(basename "$folder"); the first time takes some minutes"
     if [[ -t 2 && -z ${CI:-} ]]; then
-        rm -f "$log"
-        ninja -C "$folder" "$@" >&2
-    elif ! ninja -C "$folder" "$@" >"$log" 2>&1; then
+        (cd "$folder" && ninja "$@" >&2)
+        return
+    fi
+    log=$(mktemp)
+    if ! (cd "$folder" && ninja "$@" >"$log" 2>&1); then
         cat "$log" >&2
         rm -f "$log"
         facet_say "the build failed"
         return 70
-    else
-        rm -f "$log"
     fi
+    rm -f "$log"
 }

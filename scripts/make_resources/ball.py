@@ -40,6 +40,8 @@ class Profile:
         self.normals /= np.linalg.norm(self.normals, axis=1, keepdims=True)
         self.arc = np.concatenate([[0], np.cumsum(np.linalg.norm(np.diff(self.points, axis=0), axis=1))])
         blurred = np.convolve(np.pad(relief(self.theta), 150, "edge"), np.hanning(301) / np.hanning(301).sum(), "valid")
+        turn = np.unwrap(np.arctan2(self.normals[:, 1], self.normals[:, 0]))
+        self.curvature = np.abs(np.gradient(turn) / np.gradient(self.arc))  # 1 on a sphere
         self.edge = relief(self.theta) - blurred  # positive on what sticks out, negative in what is sunk
         self.visible = self._visibility()
 
@@ -63,7 +65,7 @@ class Profile:
 
     def rows(self, start, end, count):
         """`count` angles from start to end, closer where the curve bends."""
-        turn = np.abs(np.gradient(np.unwrap(np.arctan2(self.normals[:, 1], self.normals[:, 0]))))
+        turn = self.curvature * np.gradient(self.arc)
         inside = (self.theta >= start) & (self.theta <= end)
         weight = np.cumsum((turn + 0.0011) * inside)
         return np.interp(np.linspace(0, 1, count), weight / weight[-1], self.theta).clip(start, end)
@@ -81,14 +83,14 @@ def strip_v(profile, theta):
     return (0.005 + 0.99 * (profile.at(theta, profile.arc) - start) / (end - start)) * STRIP_SHARE
 
 
-def surface(profile, segments=64):
+def surface(profile, segments=80):
     """The unit ball about +y, with atlas coordinates and tangents."""
     def part(theta, v):
         at = [np.stack([profile.at(theta, a[:, i]) for i in (0, 1)], 1) for a in (profile.points, profile.normals)]
         return shapes.lathe(at[0], shapes.unit(at[1]), segments, v)
 
     pieces = []
-    body = profile.rows(CAP_DEG, TAIL_DEG, 58)
+    body = profile.rows(CAP_DEG, TAIL_DEG, 60)
     pieces.append(part(body, strip_v(profile, body)))
     for which, theta in ((0, np.linspace(0, CAP_DEG, 5)), (1, np.linspace(TAIL_DEG, 180, 5))):
         piece = part(theta, theta)
@@ -131,6 +133,7 @@ class Atlas:
         self.arc = profile.at(theta, profile.arc).astype(np.float32)
         self.relief = relief(theta).astype(np.float32)
         self.edge = profile.at(theta, profile.edge).astype(np.float32)
+        self.curvature = profile.at(theta, profile.curvature).astype(np.float32)
         self.visible = profile.at(theta, profile.visible).astype(np.float32)
 
     def slopes(self, height):
@@ -150,4 +153,4 @@ def foot():
     d = np.gradient(key, axis=0)
     normals = shapes.unit(np.stack([-d[:, 1], d[:, 0]], 1))
     arc = np.concatenate([[0], np.cumsum(np.linalg.norm(np.diff(key, axis=0), axis=1))])
-    return shapes.with_tangents(shapes.lathe(key, normals, 56, arc / arc[-1]))
+    return shapes.with_tangents(shapes.lathe(key, normals, 48, arc / arc[-1]))

@@ -7,8 +7,8 @@ import numpy as np
 from .noise import fbm, perlin, smoothstep, worley
 from .pixels import mix
 
-# F0 of metals, linear Rec.709, from measured n and k (Naty Hoffman, SIGGRAPH 2013 course, table of metals).
-GOLD, STEEL, COPPER = (1.0, 0.78, 0.34), (0.56, 0.57, 0.58), (0.95, 0.64, 0.54)
+# F0 of metals, linear Rec.709 (Lagarde 2011, "Feeding a physically based shading model", table of metals; steel as iron).
+GOLD, STEEL, COPPER = (1.0, 0.71, 0.29), (0.56, 0.57, 0.58), (0.95, 0.64, 0.54)
 
 
 @dataclass
@@ -25,11 +25,39 @@ def around(atlas, along, across):
     return np.stack([atlas.arc * along, across * np.cos(atlas.phi), across * np.sin(atlas.phi)], -1)
 
 
+def softened(a, roughness):
+    """Roughness widened where the relief turns within a pixel, or its highlights would sparkle: the variance of the
+    normal is added to alpha^2 (Kaplanyan et al. 2016, "Filtering distributions of normals"). The pixel is that of
+    the hero view at 1280x720, 1/90 of the radius."""
+    spread = np.minimum(0.5 * ((a.curvature - 1) / 90) ** 2, 0.03)
+    return ((np.asarray(roughness, np.float32) ** 4 + spread) ** 0.25).astype(np.float32)
+
+
+def scratches(a, count, seed):
+    """0..1: straight scores in loose groups of parallels, as arcs where planes cut the ball."""
+    draw = np.random.default_rng(seed)
+    found = np.zeros(a.p.shape[:2], np.float32)
+    for _ in range(count):
+        middle, towards = draw.normal(size=3), draw.normal(size=3)
+        middle /= np.linalg.norm(middle)
+        for _ in range(draw.integers(1, 5)):
+            at = middle + draw.normal(size=3) * 0.045
+            across = np.cross(at, towards + draw.normal(size=3) * 0.10)
+            across /= np.linalg.norm(across)
+            along = np.cross(across, at)
+            reach, width = draw.uniform(0.04, 0.24), draw.uniform(0.0035, 0.0065)
+            offset = a.p - np.float32(at)
+            score = smoothstep(width, 0.3 * width, np.abs(offset @ np.float32(across)))
+            score *= smoothstep(reach, 0.6 * reach, np.abs(offset @ np.float32(along))) * (offset @ np.float32(at) > -0.2)
+            found = np.maximum(found, score)
+    return found
+
+
 def gold(a):
     """Polished by hand: smudges and hairlines in the roughness only."""
     smudge = smoothstep(-0.1, 0.6, fbm(a.p * 2.3, 11, 5))
     hairline = smoothstep(0.42, 0.62, fbm(around(a, 60, 2.0), 12, 3))
-    return Coat(GOLD, 0.085 + 0.10 * smudge + 0.05 * hairline + 0.10 * (a.edge < -0.006), 1.0)
+    return Coat(GOLD, softened(a, 0.085 + 0.10 * smudge + 0.05 * hairline), 1.0)
 
 
 def brushed_steel(a):
@@ -38,7 +66,7 @@ def brushed_steel(a):
     stain = fbm(a.p * 1.8, 24, 4)
     roughness = 0.30 + 0.055 * fine + 0.05 * stain
     tone = (1 + 0.035 * fine + 0.04 * stain)[..., None]
-    return Coat(np.float32(STEEL) * tone, np.clip(roughness, 0.17, 0.5), 1.0, fine * 0.00062)
+    return Coat(np.float32(STEEL) * tone, softened(a, np.clip(roughness, 0.17, 0.5)), 1.0, fine * 0.00062)
 
 
 def red_lacquer(a):
@@ -49,7 +77,7 @@ def red_lacquer(a):
     red = mix((0.30, 0.008, 0.007), (0.40, 0.016, 0.010), 0.5 + 0.5 * depth)
     base = mix(red, (0.98, 0.74, 0.33), leaf)
     peel = 0.00022 * fbm(a.p * 11, 33, 2) * (1 - leaf) + 0.0030 * fbm(a.p * 22, 34, 3) * leaf
-    return Coat(base, mix(0.055 + 0.02 * depth, 0.26, leaf), leaf, peel)
+    return Coat(base, softened(a, mix(0.055 + 0.02 * depth, 0.26, leaf)), leaf, peel)
 
 
 def clay(a):
@@ -81,19 +109,18 @@ def glazed_ceramic(a):
     base = mix(base, (0.30, 0.135, 0.055), 0.85 * thin)
     base = mix(base, (0.07, 0.042, 0.027), 0.9 * speck)
     roughness = 0.075 + 0.03 * fbm(a.p * 3, 59, 3) + 0.12 * crackle + 0.16 * speck + 0.06 * thin
-    return Coat(base, roughness, 0.0, 0.0006 * fbm(a.p * 5, 60, 2) - 0.0003 * crackle)
+    return Coat(base, softened(a, roughness), 0.0, 0.0006 * fbm(a.p * 5, 60, 2) - 0.0003 * crackle)
 
 
 def worn_paint(a):
     """Blue enamel over primer over steel, chipped where it sticks out, rust creeping from the chips."""
-    wear = a.edge * 62 + 0.62 * fbm(a.p * 2.4, 61, 4) + 0.55 * fbm(a.p * 9, 62, 5, gain=0.6)
+    wear = a.edge * 66 + 0.95 * fbm(a.p * 2.0, 61, 4) + 0.62 * fbm(a.p * 8, 62, 6, gain=0.6)
     near, second, owner = worley(a.p * 10 + 0.25 * fbm(a.p * 20, 63, 2)[..., None], 64)
     wear = wear + 0.26 * (owner - 0.5)  # flakes come off whole
-    along = np.stack([a.p @ np.float32([2.0, 1.1, -0.4]), a.p @ np.float32([15, -22, 12]), a.p @ np.float32([-6, 9, 26])], -1)
-    scratch = smoothstep(0.028, 0.0, np.abs(perlin(along, 65))) * smoothstep(0.20, 0.40, fbm(a.p * 2.1, 66, 3))
-    bare = np.maximum(smoothstep(0.60, 0.635, wear), 0.9 * scratch)
-    primer = smoothstep(0.515, 0.54, wear)
-    rust = smoothstep(0.10, 0.45, fbm(a.p * 6, 67, 5, gain=0.6) + 0.35 * smoothstep(0.8, 0.6, wear)) * bare
+    scratch = scratches(a, 22, 65) * smoothstep(-0.25, 0.1, fbm(a.p * 9, 66, 3))
+    bare = np.maximum(smoothstep(0.565, 0.60, wear), 0.9 * scratch)
+    primer = smoothstep(0.475, 0.50, wear)
+    rust = smoothstep(0.10, 0.45, fbm(a.p * 6, 67, 5, gain=0.6) + 0.35 * smoothstep(0.78, 0.57, wear)) * bare
     fade = fbm(a.p * 1.3, 68, 4)
     paint = mix((0.012, 0.075, 0.225), (0.022, 0.120, 0.320), 0.5 + 0.6 * fade)
     grime = smoothstep(-0.004, -0.013, a.edge + 0.003 * fbm(a.p * 12, 69, 4)) * 0.65
@@ -110,7 +137,7 @@ def worn_paint(a):
 def weathered_copper(a):
     """Copper gone brown, green where rain stays: in hollows and in drifts over the open surface."""
     drift = fbm(a.p * 2.2 + np.float32([0, 3, 0]), 81, 6, gain=0.58)
-    amount = -a.edge * 42 + 1.25 * drift + 0.35 * fbm(a.p * 10, 82, 4, gain=0.6) - 0.05
+    amount = -a.edge * 42 + 1.25 * drift + 0.35 * fbm(a.p * 10, 82, 4, gain=0.6) + 0.05
     patina = smoothstep(0.03, 0.22, amount)
     tarnish = smoothstep(-0.55, 0.10, amount)
     metal = mix(COPPER, (0.40, 0.185, 0.115), tarnish)

@@ -12,7 +12,8 @@ PLACES = {"gold": (0.0, -0.235, 0.235), "brushed_steel": (0.140, 0.115, 0.045), 
           "clay": (-0.285, -0.170, 0.165), "glazed_ceramic": (-0.420, 0.160, 0.045), "worn_paint": (0.420, 0.160, 0.045),
           "weathered_copper": (0.285, -0.170, 0.165)}
 TILT = shapes.rotation((0, 0, 1), -16) @ shapes.rotation((1, 0, 0), 27)  # shows the cap and slants the band
-REACH_M = 0.30            # at this distance a blocker takes half its part
+REACH_M = 0.34            # at this distance a blocker takes half its part
+DEEPEN = 1.35             # exponent on the stage's visibility: a studio lights from a few sides, not from all
 JPEG = 90
 AO_TOP, AO_SIDE = 96, 48  # texels of a plinth's top (square) and of its side's height in the atlas
 
@@ -74,13 +75,13 @@ def outside_drums(points, drums):
     return points
 
 
-def bake_flat(size, middle, half, height, blockers, drums, reach=REACH_M, bounce=0.15):
+def bake_flat(size, middle, half, height, blockers, drums):
     """Occlusion of a horizontal rectangle, [size_v, size_u]."""
     u, v = ((np.arange(n) + 0.5) / n * 2 - 1 for n in size)
     x, z = np.meshgrid(middle[0] + u * half[0], middle[1] + v * half[1])
     flat = outside_drums(np.stack([x.ravel(), z.ravel()], 1), drums)
     points = np.stack([flat[:, 0], np.full(len(flat), height), flat[:, 1]], 1)
-    return visibility(points, np.tile([0.0, 1.0, 0.0], (len(points), 1)), blockers, reach, bounce).reshape(x.shape)
+    return visibility(points, np.tile([0.0, 1.0, 0.0], (len(points), 1)), blockers, REACH_M).reshape(x.shape) ** DEEPEN
 
 
 def bake_side(center, radius, bottom, top, blockers, shape):
@@ -88,7 +89,7 @@ def bake_side(center, radius, bottom, top, blockers, shape):
     angle, y = np.meshgrid((np.arange(shape[1]) + 0.5) / shape[1] * 2 * np.pi, top + (bottom - top) * (np.arange(shape[0]) + 0.5) / shape[0])
     normals = np.stack([np.sin(angle), 0 * y, np.cos(angle)], -1).reshape(-1, 3)
     points = normals * radius + np.stack([np.full(y.size, center[0]), y.ravel(), np.full(y.size, center[1])], 1)
-    return visibility(points, normals, blockers, REACH_M, bounce=0.15).reshape(shape)
+    return visibility(points, normals, blockers, REACH_M).reshape(shape) ** DEEPEN
 
 
 def add_balls(glb, profile):
@@ -117,8 +118,8 @@ def add_feet(glb):
     """One foot for all: what hides it is the ball above and the plinth below, the same everywhere."""
     foot = ball.foot()
     rows = 64
-    line = foot.positions.reshape(-1, 57, 3)[:, 0], foot.normals.reshape(-1, 57, 3)[:, 0]
-    v = foot.uv0.reshape(-1, 57, 2)[:, 0, 1]
+    front = np.flatnonzero(foot.uv0[:, 0] == 0)  # one line down the profile
+    line, v = (foot.positions[front], foot.normals[front]), foot.uv0[front, 1]
     at = (np.arange(rows) + 0.5) / rows
     points, normals = (np.stack([np.interp(at, v, a[:, i]) for i in range(3)], 1) for a in line)
     floor = -ball.CENTER_M
@@ -166,11 +167,11 @@ def add_plinths(glb):
             inner = np.clip((1 - up) * AO_SIDE, 0.5, AO_SIDE - 0.5)  # texel centres: rows of neighbours stay out
             return np.stack([around, (side + inner) / height], 1)
 
-        # The same slab for all, cut elsewhere for each.
-        cut = {"offset": [round(0.37 * i % 1, 4), round(0.61 * i % 1, 4)], "rotation": round(0.9 * i, 4)}
+        # The same slab for all, cut elsewhere for each; quarter turns, so that the side still closes.
+        cut = {"offset": [round(0.37 * i % 1, 4), round(0.61 * i % 1, 4)], "rotation": round(i % 4 * np.pi / 2, 6)}
         material = glb.add_material(f"terrazzo_{i}", base_map=glb.texture_ref(base_map, transform=cut),
                                     orm_map=glb.texture_ref(orm_map, transform=cut), occlusion_map=occlusion)
-        drum = stage.drum(stage.PLINTH_RADIUS_M, tall, stage.PLINTH_BEVEL_M, stage.TERRAZZO_M, 96, top_uv1, side_uv1, 3)
+        drum = stage.drum(stage.PLINTH_RADIUS_M, tall, stage.PLINTH_BEVEL_M, stage.TERRAZZO_M, 80, top_uv1, side_uv1, 2)
         glb.add_node(f"{name}_plinth", mesh=glb.add_mesh(f"{name}_plinth", glb.add_geometry(drum), material),
                      translation=[x, stage.FLOOR_HEIGHT_M, z])
 
@@ -190,7 +191,7 @@ def add_floor(glb):
     def side_uv1(around, up):
         return np.stack([around, (size + np.clip((1 - up) * strip, 1.0, strip - 0.5)) / (size + strip)], 1)
 
-    drum = stage.drum(stage.FLOOR_RADIUS_M, stage.FLOOR_HEIGHT_M, stage.FLOOR_BEVEL_M, stage.TILE_M, 192, top_uv1, side_uv1, 12)
+    drum = stage.drum(stage.FLOOR_RADIUS_M, stage.FLOOR_HEIGHT_M, stage.FLOOR_BEVEL_M, stage.TILE_M, 160, top_uv1, side_uv1, 6)
     base, roughness, height = stage.concrete(1024)
     material = glb.add_material(
         "concrete", base_map=glb.texture_ref(glb.add_texture("concrete_base", srgb(base), JPEG)),
@@ -212,8 +213,8 @@ def add_backdrop(glb):
 
 def build(copyright_line):
     glb = Glb(copyright_line)
-    glb.add_camera("hero", (0.0, 0.62, 1.72), (0.0, 0.235, 0.0), 28)
-    glb.add_camera("close", (0.46, 0.36, 0.98), (0.27, 0.19, 0.10), 24)
+    glb.add_camera("hero", (0.0, 0.60, 1.60), (0.0, 0.228, 0.0), 28)
+    glb.add_camera("close", (0.52, 0.40, 1.06), (0.285, 0.235, 0.05), 26)
     add_balls(glb, ball.Profile())
     add_feet(glb)
     add_plinths(glb)

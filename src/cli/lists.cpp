@@ -144,8 +144,8 @@ Result<Exit> print_list(const std::string& what, const NamedCommand* command, Io
         else if (entry.help.empty())
             io.print(base::escaped(entry.name));
         else
-            io.print(
-                fmt::format("{:<28} {}", base::escaped(entry.name), base::escaped(entry.help, 400)));
+            io.print(fmt::format("{:<28} {}", base::escaped(entry.name),
+                                 base::escaped(entry.help, 400)));
     }
     return Exit::done;
 }

@@ -3,7 +3,7 @@
 #include "scene/camera_spec.h"
 
 #include "base/text.h"
-#include "scene/spec_text.h"
+#include "scene/spec.h"
 
 #include <spdlog/fmt/fmt.h>
 
@@ -39,24 +39,25 @@ base::Result<Orbit> parse_orbit(std::string_view text) {
             equals == std::string_view::npos ? "" : part.substr(equals + 1);
         if (std::find(keys.begin(), keys.end(), key) == keys.end()) {
             const auto near = base::nearest(key, keys);
-            return usage(
+            return usage_error(
                 "unknown key of orbit", key,
                 near.empty() ? "one of " + base::join(keys, ", ") : "did you mean " + near.front());
         }
         const auto number = base::parse_number(base::trimmed(value));
-        const auto vector = parse_vector(value);
+        const auto vector = parse_vector(key, value, {-1e9, 1e9});
         const bool is_target = key == "target";
         const bool in_range =
             is_target ? vector.has_value()
                       : number && std::fabs(*number) <= 1e9 && (key != "distance" || *number > 0);
         if (!in_range)
-            return usage(key + " of orbit is not " +
-                             (is_target           ? "x y z"
-                              : key == "distance" ? "metres above 0"
-                                                  : "degrees"),
-                         std::string(value), "for example azimuth=35,elevation=15,target=0 1 0");
+            return usage_error(key + " of orbit is not " +
+                                   (is_target           ? "x y z"
+                                    : key == "distance" ? "metres above 0"
+                                                        : "degrees"),
+                               std::string(value),
+                               "for example azimuth=35,elevation=15,target=0 1 0");
         if (is_target)
-            orbit.target_m = vector;
+            orbit.target_m = *vector;
         else if (key == "azimuth")
             orbit.azimuth_deg = static_cast<float>(*number);
         else if (key == "elevation")
@@ -166,7 +167,7 @@ base::Result<Camera> resolve_camera(const Scene& scene, const std::string& spec,
     if (index == scene.cameras.size() && number && *number >= 0 &&
         static_cast<std::size_t>(*number) < scene.cameras.size())
         index = static_cast<std::size_t>(*number);
-    if (index == scene.cameras.size()) return usage("no such camera", spec, list_of(scene));
+    if (index == scene.cameras.size()) return usage_error("no such camera", spec, list_of(scene));
     Camera camera = scene.cameras[index];
     if (fov_deg > 0.0F) camera.yfov_rad = glm::radians(fov_deg);
     return camera;

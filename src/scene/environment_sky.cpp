@@ -1,9 +1,9 @@
 // Clear sky and sun (Preetham, Shirley & Smits 1999).
 // SPDX-License-Identifier: MIT
+#include "scene/environment_models.h"
+
 #include <algorithm>
 #include <cmath>
-
-#include "scene/environment_models.h"
 
 namespace facet::scene {
 namespace {
@@ -33,7 +33,8 @@ float zenith_chromaticity(const float (&m)[3][4], float turbidity, float theta) 
     return sum;
 }
 
-/// Share of sunlight that reaches the ground, by channel: Rayleigh and aerosols (appendix A.1), at 680, 550, 440 nm.
+/// Share of sunlight that reaches the ground, by channel: Rayleigh and aerosols (appendix A.1), at
+/// 680, 550, 440 nm.
 Vec3 transmittance(float sun_elevation_deg, float turbidity) {
     const float zenith_deg = 90.0F - sun_elevation_deg;
     const float mass = 1.0F / (std::cos(glm::radians(zenith_deg)) +
@@ -51,10 +52,13 @@ Vec3 transmittance(float sun_elevation_deg, float turbidity) {
 
 }  // namespace
 
-float Sky::Perez::at(float cos_theta, float gamma) const {
-    const float cos_gamma = std::cos(gamma);
-    return (1.0F + a * std::exp(b / std::max(cos_theta, smallest_cosine))) *
-           (1.0F + c * std::exp(d * gamma) + e * cos_gamma * cos_gamma);
+// F(theta, gamma) = (1 + A e^(B / cos theta)) (1 + C e^(D gamma) + E cos^2 gamma)         (Perez et
+// al. 1993)
+float Sky::Perez::gradient(float cos_theta) const {
+    return 1.0F + a * std::exp(b / std::max(cos_theta, smallest_cosine));
+}
+float Sky::Perez::indicatrix(float gamma, float cos_gamma) const {
+    return 1.0F + c * std::exp(d * gamma) + e * cos_gamma * cos_gamma;
 }
 
 Sky::Sky(const SkyParameters& p) {
@@ -77,19 +81,22 @@ Sky::Sky(const SkyParameters& p) {
                                 {0.15346F, -0.26756F, 0.06670F, 0.26688F}};
     zenith_ = {std::max(zenith_kcd, 0.05F) * 1000.0F * nit_scale, zenith_chromaticity(mx, t, theta),
                zenith_chromaticity(my, t, theta)};
-    for (int i = 0; i < 3; ++i) normalization_[i] = perez_[i].at(1.0F, theta);
+    for (int i = 0; i < 3; ++i)
+        zenith_[i] /= perez_[i].gradient(1.0F) * perez_[i].indicatrix(theta, std::cos(theta));
     sun_illuminance_ = transmittance(p.sun_elevation_deg, t) * (extraterrestrial_lux * nit_scale);
     measure_ground(p.ground_albedo);
 }
 
-Vec3 Sky::sky_radiance(const Vec3& d) const {
-    const float gamma = std::acos(std::clamp(math::dot(d, to_sun_), -1.0F, 1.0F));
+Vec3 Sky::sky_radiance(const Row& row, const Vec3& d) const {
+    const float cos_gamma = std::clamp(math::dot(d, to_sun_), -1.0F, 1.0F);
+    const float gamma = std::acos(cos_gamma);
     Vec3 yxy;
-    for (int i = 0; i < 3; ++i) yxy[i] = zenith_[i] * perez_[i].at(d.y, gamma) / normalization_[i];
+    for (int i = 0; i < 3; ++i) yxy[i] = row.gradient[i] * perez_[i].indicatrix(gamma, cos_gamma);
     return glm::max(rgb_from_yxy(yxy.x, yxy.y, yxy.z), Vec3(0.0F));
 }
 
-/// Lambert ground under the sky's and the sun's illuminance; a coarse midpoint sum is exact enough for it.
+/// Lambert ground under the sky's and the sun's illuminance; a coarse midpoint sum is exact enough
+/// for it.
 void Sky::measure_ground(float albedo) {
     Vec3 illuminance(0.0F);
     constexpr int rings = 16;
@@ -99,18 +106,23 @@ void Sky::measure_ground(float albedo) {
             const float y = std::sqrt((static_cast<float>(r) + 0.5F) / rings);  // cosine-weighted
             const float a = (static_cast<float>(s) + 0.5F) / sectors * 2.0F * math::pi;
             const float h = std::sqrt(1.0F - y * y);
-            illuminance += sky_radiance({h * std::sin(a), y, h * std::cos(a)});
+            illuminance += sky_radiance(row(y), {h * std::sin(a), y, h * std::cos(a)});
         }
     illuminance *= math::pi / (rings * sectors);
     illuminance += sun_illuminance_ * std::max(to_sun_.y, 0.0F);
     ground_radiance_ = illuminance * (albedo / math::pi);
 }
 
-Vec3 Sky::radiance(const Vec3& d) const {
+Sky::Row Sky::row(float y) const {
     // Half a degree of haze joins sky and ground, so that no reflection shows a knife edge.
-    const float ground = std::clamp(0.5F - d.y / 0.01F, 0.0F, 1.0F);
-    Vec3 radiance = ground_radiance_ * ground;
-    if (ground < 1.0F) radiance += sky_radiance(d) * (1.0F - ground);
+    Row out{.ground = std::clamp(0.5F - y / 0.01F, 0.0F, 1.0F), .gradient = {}};
+    for (int i = 0; i < 3; ++i) out.gradient[i] = zenith_[i] * perez_[i].gradient(y);
+    return out;
+}
+
+Vec3 Sky::radiance(const Row& row, const Vec3& d) const {
+    Vec3 radiance = ground_radiance_ * row.ground;
+    if (row.ground < 1.0F) radiance += sky_radiance(row, d) * (1.0F - row.ground);
     return radiance;
 }
 

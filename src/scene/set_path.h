@@ -12,10 +12,9 @@ namespace facet::scene {
 /// Applies `PATH=VALUE` to the scene. Paths: `material.NAME.KEY` (every material of that name; NAME
 /// may hold dots), `material.*.KEY` (all), `material[3].KEY` (by index), and the same for `light`.
 /// Keys of materials are those of tables/material.def, and of tables/material_textures.def with the
-/// one value `none`, which drops the texture; keys of lights are color, lux or candela, range,
-/// inner and outer, where the kind has them; with `*`, lights whose kind lacks the key stay as they
-/// are. Errors: usage (unknown path, with the nearest right ones and what there is; a value out of
-/// its range, with the range); the scene is then as it was.
+/// one value `none`, which drops the texture; keys of lights are those of tables/light_kinds.def.
+/// Errors: usage (unknown path, with the nearest right ones and what there is; a value out of its
+/// range, with the range); the scene is then as it was.
 [[nodiscard]] base::Status apply_set(Scene& scene, const std::string& assignment);
 
 }  // namespace facet::scene

@@ -18,7 +18,8 @@ TEST(Furnace, AWhiteSphereVanishesAtEveryRoughnessMetallicAndAngle) {
             for (std::uint32_t y = 0; y < 64; ++y)
                 for (std::uint32_t x = 0; x < 64; ++x) {
                     const math::Vec4 c = picture->at(x, y);
-                    if (c.w == 1.0F) ASSERT_NEAR(c.x, 1.0F, 0.01F)
+                    if (c.w < 1.0F) continue;
+                    ASSERT_NEAR(c.x, 1.0F, 0.01F)
                         << "metallic " << metallic << " roughness " << roughness << " at " << x << "," << y;
                 }
         }

@@ -106,8 +106,10 @@ TEST(Lights, ManyLightsInTilesSumToWhatEachGivesAlone) {
     shot.scene.lights = lights;
     const auto all = harness.draw(shot);
     ASSERT_TRUE(all);
-    for (std::size_t i = 0; i < sum.size(); ++i)
-        if (i % 4 != 3) ASSERT_NEAR(all->radiance.as<float>()[i], sum[i], 1e-4F + 1e-4F * sum[i]) << i;
+    for (std::size_t i = 0; i < sum.size(); ++i) {
+        if (i % 4 == 3) continue;  // coverage, not light
+        ASSERT_NEAR(all->radiance.as<float>()[i], sum[i], 1e-4F + 1e-4F * sum[i]) << i;
+    }
 }
 
 }  // namespace

@@ -51,9 +51,21 @@ TEST(GltfMesh, indices_of_every_type_give_the_same_triangle) {
         return only_mesh(d).indices;
     };
     const std::vector<std::uint32_t> expected{0, 1, 2};
-    EXPECT_EQ(with_indices(5121, [](Document& d, int c) { return d.accessor<std::uint8_t>("SCALAR", c, 3, {0, 1, 2}); }), expected);
-    EXPECT_EQ(with_indices(5123, [](Document& d, int c) { return d.accessor<std::uint16_t>("SCALAR", c, 3, {0, 1, 2}); }), expected);
-    EXPECT_EQ(with_indices(5125, [](Document& d, int c) { return d.accessor<std::uint32_t>("SCALAR", c, 3, {0, 1, 2}); }), expected);
+    EXPECT_EQ(with_indices(5121,
+                           [](Document& d, int c) {
+                               return d.accessor<std::uint8_t>("SCALAR", c, 3, {0, 1, 2});
+                           }),
+              expected);
+    EXPECT_EQ(with_indices(5123,
+                           [](Document& d, int c) {
+                               return d.accessor<std::uint16_t>("SCALAR", c, 3, {0, 1, 2});
+                           }),
+              expected);
+    EXPECT_EQ(with_indices(5125,
+                           [](Document& d, int c) {
+                               return d.accessor<std::uint32_t>("SCALAR", c, 3, {0, 1, 2});
+                           }),
+              expected);
     Document plain = triangle();
     primitive(plain).erase("indices");
     EXPECT_EQ(only_mesh(plain).indices, expected);
@@ -88,11 +100,20 @@ TEST(GltfMesh, points_and_lines_are_skipped_with_a_warning) {
 TEST(GltfMesh, interleaved_attributes_are_taken_apart) {
     Document d;
     const std::vector<float> mixed{0, 0, 0, 0.25F, 0.5F, 1, 0, 0, 0.75F, 1, 0, 1, 0, 0, 0};
-    const std::size_t view = d.view({reinterpret_cast<const char*>(mixed.data()), mixed.size() * 4});
+    const std::size_t view =
+        d.view({reinterpret_cast<const char*>(mixed.data()), mixed.size() * 4});
     d.json["bufferViews"][view]["byteStride"] = 20;
-    d.json["accessors"] = {
-        {{"bufferView", view}, {"componentType", 5126}, {"count", 3}, {"type", "VEC3"}, {"min", {0, 0, 0}}, {"max", {1, 1, 0}}},
-        {{"bufferView", view}, {"byteOffset", 12}, {"componentType", 5126}, {"count", 3}, {"type", "VEC2"}}};
+    d.json["accessors"] = {{{"bufferView", view},
+                            {"componentType", 5126},
+                            {"count", 3},
+                            {"type", "VEC3"},
+                            {"min", {0, 0, 0}},
+                            {"max", {1, 1, 0}}},
+                           {{"bufferView", view},
+                            {"byteOffset", 12},
+                            {"componentType", 5126},
+                            {"count", 3},
+                            {"type", "VEC2"}}};
     d.json["meshes"] = {{{"primitives", {{{"attributes", {{"POSITION", 0}, {"TEXCOORD_0", 1}}}}}}}};
     d.json["nodes"] = {{{"mesh", 0}}};
     const scene::Mesh mesh = only_mesh(d);
@@ -106,9 +127,15 @@ TEST(GltfMesh, sparse_values_replace_elements_and_zeros_stand_in_for_no_view) {
     const std::size_t indices = d.view(std::string("\1\0\2\0", 4));
     const std::vector<float> replaced{2, 0, 0, 0, 3, 0};
     const std::size_t values = d.view({reinterpret_cast<const char*>(replaced.data()), 24});
-    d.json["accessors"] = {{{"componentType", 5126}, {"count", 3}, {"type", "VEC3"}, {"min", {0, 0, 0}}, {"max", {2, 3, 0}},
-                            {"sparse", {{"count", 2}, {"indices", {{"bufferView", indices}, {"componentType", 5123}}},
-                                        {"values", {{"bufferView", values}}}}}}};
+    d.json["accessors"] = {{{"componentType", 5126},
+                            {"count", 3},
+                            {"type", "VEC3"},
+                            {"min", {0, 0, 0}},
+                            {"max", {2, 3, 0}},
+                            {"sparse",
+                             {{"count", 2},
+                              {"indices", {{"bufferView", indices}, {"componentType", 5123}}},
+                              {"values", {{"bufferView", values}}}}}}};
     d.json["meshes"] = {{{"primitives", {{{"attributes", {{"POSITION", 0}}}}}}}};
     d.json["nodes"] = {{{"mesh", 0}}};
     const scene::Mesh mesh = only_mesh(d);
@@ -122,13 +149,15 @@ TEST(GltfMesh, quantised_positions_keep_their_whole_numbers_and_normalised_ones_
     Document d = triangle();
     d.json["extensionsUsed"] = {"KHR_mesh_quantization"};
     d.json["extensionsRequired"] = {"KHR_mesh_quantization"};
-    const auto position = d.accessor<std::int16_t>("VEC3", 5122, 3, {0, 0, 0, 0, 100, 0, 0, 0, 0, 100, 0, 0});
+    const auto position =
+        d.accessor<std::int16_t>("VEC3", 5122, 3, {0, 0, 0, 0, 100, 0, 0, 0, 0, 100, 0, 0});
     d.json["accessors"][position]["min"] = {0, 0, 0};
     d.json["accessors"][position]["max"] = {100, 100, 0};
     d.json["bufferViews"].back()["byteStride"] = 8;
     const auto uv = d.accessor<std::uint16_t>("VEC2", 5123, 3, {0, 0, 65535, 0, 0, 65535});
     d.json["accessors"][uv]["normalized"] = true;
-    const auto normal = d.accessor<std::int8_t>("VEC3", 5120, 3, {0, 0, 127, 0, 0, 0, -127, 0, 0, -128, 0, 0});
+    const auto normal =
+        d.accessor<std::int8_t>("VEC3", 5120, 3, {0, 0, 127, 0, 0, 0, -127, 0, 0, -128, 0, 0});
     d.json["accessors"][normal]["normalized"] = true;
     d.json["bufferViews"].back()["byteStride"] = 4;
     primitive(d)["attributes"] = {{"POSITION", position}, {"TEXCOORD_0", uv}, {"NORMAL", normal}};
@@ -142,7 +171,8 @@ TEST(GltfMesh, quantised_positions_keep_their_whole_numbers_and_normalised_ones_
 
 TEST(GltfMesh, vertex_colors_of_three_parts_are_opaque_and_of_bytes_are_scaled) {
     Document d = triangle();
-    const auto color = d.accessor<std::uint8_t>("VEC3", 5121, 3, {255, 0, 0, 0, 0, 255, 0, 0, 0, 0, 255, 0});
+    const auto color =
+        d.accessor<std::uint8_t>("VEC3", 5121, 3, {255, 0, 0, 0, 0, 255, 0, 0, 0, 0, 255, 0});
     d.json["accessors"][color]["normalized"] = true;
     d.json["bufferViews"].back()["byteStride"] = 4;
     primitive(d)["attributes"]["COLOR_0"] = color;
@@ -217,16 +247,19 @@ TEST(GltfMesh, morph_targets_move_by_the_default_weights_and_a_node_may_choose_o
 
 TEST(GltfMesh, a_skinned_mesh_stands_where_its_joints_are_and_not_its_node) {
     Document d = triangle();
-    primitive(d)["attributes"]["JOINTS_0"] = d.accessor<std::uint8_t>("VEC4", 5121, 3, {0, 1, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0});
-    primitive(d)["attributes"]["WEIGHTS_0"] = d.floats("VEC4", 4, {1, 0, 0, 0, 1, 0, 0, 0, 0.5F, 0.5F, 0, 0});
+    primitive(d)["attributes"]["JOINTS_0"] =
+        d.accessor<std::uint8_t>("VEC4", 5121, 3, {0, 1, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0});
+    primitive(d)["attributes"]["WEIGHTS_0"] =
+        d.floats("VEC4", 4, {1, 0, 0, 0, 1, 0, 0, 0, 0.5F, 0.5F, 0, 0});
     d.json["nodes"] = {{{"mesh", 0}, {"skin", 0}, {"translation", {100, 0, 0}}},
                        {{"translation", {0, 10, 0}}, {"children", {2}}},
                        {{"translation", {0, 0, 4}}}};
     d.json["scenes"][0]["nodes"] = {0, 1};
     // The second joint's bind matrix undoes the first joint's share.
     d.json["skins"] = {{{"joints", {1, 2}},
-                        {"inverseBindMatrices", d.floats("MAT4", 16, {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1,
-                                                                      1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, -10, 0, 1})}}};
+                        {"inverseBindMatrices",
+                         d.floats("MAT4", 16, {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0,   0, 0, 1, 1,
+                                               0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, -10, 0, 1})}}};
     const auto loaded = load_document(d);
     ASSERT_TRUE(loaded) << base::to_line(loaded.error());
     const scene::Mesh& mesh = loaded->scene.meshes[0];

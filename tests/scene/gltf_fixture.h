@@ -2,6 +2,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/thread_pool.h"
+#include "scene/load.h"
+
+#include <nlohmann/json.hpp>
+
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -11,22 +16,19 @@
 #include <utility>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
-#include "base/thread_pool.h"
-#include "scene/load.h"
-
 namespace facet::test {
 
 using Json = nlohmann::json;
 
 inline std::string base64(std::string_view bytes) {
-    constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    constexpr std::string_view digits =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     std::string out;
     for (std::size_t i = 0; i < bytes.size(); i += 3) {
         std::uint32_t group = 0;
         for (std::size_t k = 0; k < 3; ++k)
-            group = group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
+            group =
+                group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
         for (std::size_t k = 0; k < 4; ++k)
             out += i + k > bytes.size() ? '=' : digits[group >> (18 - 6 * k) & 63U];
     }
@@ -48,11 +50,14 @@ struct Document {
     }
     /// An accessor of `values` as they are in memory; its index.
     template <class T>
-    std::size_t accessor(const char* type, int component, std::size_t count, const std::vector<T>& values) {
+    std::size_t accessor(const char* type, int component, std::size_t count,
+                         const std::vector<T>& values) {
         const std::size_t index =
             view({reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)});
-        json["accessors"].push_back(
-            {{"bufferView", index}, {"componentType", component}, {"count", count}, {"type", type}});
+        json["accessors"].push_back({{"bufferView", index},
+                                     {"componentType", component},
+                                     {"count", count},
+                                     {"type", type}});
         return json["accessors"].size() - 1;
     }
     std::size_t floats(const char* type, std::size_t components, const std::vector<float>& values) {
@@ -88,7 +93,8 @@ struct Document {
         bin.resize((bin.size() + 3) / 4 * 4, '\0');
         std::string file = "glTF";
         const auto add_u32 = [&](std::size_t value) {
-            for (unsigned shift = 0; shift < 32; shift += 8) file += static_cast<char>(value >> shift & 0xFFU);
+            for (unsigned shift = 0; shift < 32; shift += 8)
+                file += static_cast<char>(value >> shift & 0xFFU);
         };
         add_u32(2);
         add_u32(12 + 8 + text.size() + (bin.empty() ? 0 : 8 + bin.size()));
@@ -116,10 +122,11 @@ inline base::Result<scene::Loaded> load_text(const std::string& text,
                                              const scene::LoadOptions& options = {},
                                              const base::Limits& limits = {}) {
     base::ThreadPool pool(1);
-    return scene::load_bytes(std::as_bytes(std::span(text.data(), text.size())), "test.gltf", options,
-                             limits, pool);
+    return scene::load_bytes(std::as_bytes(std::span(text.data(), text.size())), "test.gltf",
+                             options, limits, pool);
 }
-inline base::Result<scene::Loaded> load_document(const Document& d, const scene::LoadOptions& options = {},
+inline base::Result<scene::Loaded> load_document(const Document& d,
+                                                 const scene::LoadOptions& options = {},
                                                  const base::Limits& limits = {}) {
     return load_text(d.text(), options, limits);
 }

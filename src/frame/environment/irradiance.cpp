@@ -80,17 +80,6 @@ std::array<DVec3, 9> basis_integrals(const Panorama& panorama, double rotation_r
     return sum;
 }
 
-constexpr std::array<int, 9> band = {0, 1, 1, 1, 2, 2, 2, 2, 2};
-
-Sh scaled(const Sh& sh, float lambda) {
-    Sh out = sh;
-    for (std::size_t i = 0; i < 9; ++i) {
-        const auto l = static_cast<float>(band[i]);
-        out[i] /= 1.0F + lambda * l * l * (l + 1.0F) * (l + 1.0F);
-    }
-    return out;
-}
-
 /// Directions 6 degrees apart: between two, an order-2 function falls at most 0.3 % of its range
 /// lower.
 std::vector<Vec3> probe_directions() {
@@ -99,15 +88,6 @@ std::vector<Vec3> probe_directions() {
         for (int azimuth = 0; azimuth < 360; azimuth += 6)
             out.push_back(
                 math::direction_from(static_cast<float>(azimuth), static_cast<float>(elevation)));
-    return out;
-}
-
-float least(const Sh& sh, const std::vector<Vec3>& directions) {
-    float out = std::min({sh[0].x, sh[0].y, sh[0].z});
-    for (const Vec3& n : directions) {
-        const Vec3 e = evaluate_irradiance(sh, n);
-        out = std::min({out, e.x, e.y, e.z});
-    }
     return out;
 }
 
@@ -120,17 +100,15 @@ Vec3 evaluate_irradiance(const Sh& sh, const Vec3& n) {
 }
 
 Sh windowed(const Sh& sh) {
-    const std::vector<Vec3> directions = probe_directions();
-    if (least(sh, directions) >= 0.0F) return sh;
-    // lambda 1 leaves a fifth of band 1 and a 37th of band 2, which no radiance >= 0 can make
-    // negative.
-    float low = 0.0F;
-    float high = 1.0F;
-    for (int step = 0; step < 16; ++step) {
-        const float middle = 0.5F * (low + high);
-        (least(scaled(sh, middle), directions) >= 0.0F ? high : low) = middle;
-    }
-    return scaled(sh, high);
+    Vec3 least = sh[0];
+    for (const Vec3& n : probe_directions()) least = glm::min(least, evaluate_irradiance(sh, n));
+    // mean + k (least - mean) = 0; one k for all channels, or colours would shift.
+    float kept = 1.0F;
+    for (int c = 0; c < 3; ++c)
+        if (least[c] < 0.0F) kept = std::min(kept, sh[0][c] / (sh[0][c] - least[c]));
+    Sh out = sh;
+    for (std::size_t i = 1; i < out.size(); ++i) out[i] *= kept;
+    return out;
 }
 
 Sh irradiance_sh(const Panorama& panorama, float rotation_deg) {

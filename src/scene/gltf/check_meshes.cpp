@@ -3,6 +3,7 @@
 #include "scene/gltf/attributes.h"
 #include "scene/gltf/check.h"
 #include "scene/gltf/material_needs.h"
+#include "scene/gltf/schema.h"
 
 #include <spdlog/fmt/fmt.h>
 
@@ -41,15 +42,6 @@ Quantized quantized_of(const Json& json) {
     return is_used ? Quantized::yes : Quantized::no;
 }
 
-bool is_in(std::string_view list, std::string_view word) {
-    for (std::size_t start = 0; start <= list.size();) {
-        const std::size_t end = std::min(list.find('|', start), list.size());
-        if (list.substr(start, end - start) == word) return true;
-        start = end + 1;
-    }
-    return false;
-}
-
 void check_format(Looking& l, const Accessor& accessor, std::string_view formats,
                   const std::string& at) {
     const std::string format = format_of(accessor);
@@ -58,7 +50,7 @@ void check_format(Looking& l, const Accessor& accessor, std::string_view formats
                          "vertex attributes cannot be 32-bit integers", format);
         return;
     }
-    if (!formats.empty() && !is_in(formats, format))
+    if (!formats.empty() && !is_listed(formats, format))
         l.problems.error("MESH_PRIMITIVE_ATTRIBUTES_ACCESSOR_INVALID_FORMAT", at,
                          "wrong format for this attribute",
                          fmt::format("{}, not {}", format, formats));
@@ -194,7 +186,7 @@ void check_indices(Looking& l) {
     if (view_json != nullptr && find(*view_json, "byteStride") != nullptr)
         l.problems.error("MESH_PRIMITIVE_INDICES_ACCESSOR_WITH_BYTESTRIDE", at,
                          "indices in a buffer view with a stride");
-    if (!is_in("SCALAR u8|SCALAR u16|SCALAR u32", format_of(*accessor)))
+    if (!is_listed("SCALAR u8|SCALAR u16|SCALAR u32", format_of(*accessor)))
         l.problems.error("MESH_PRIMITIVE_INDICES_ACCESSOR_INVALID_FORMAT", at,
                          "wrong format for indices", format_of(*accessor));
 }

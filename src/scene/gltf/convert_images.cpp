@@ -6,6 +6,8 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <cstring>
+
 namespace facet::scene::gltf {
 namespace {
 
@@ -38,8 +40,20 @@ base::Result<std::span<const std::byte>> fetch(Import& import, std::uint32_t ind
     return std::span<const std::byte>(owned);
 }
 
+/// KTX2's identifier (Khronos, KTX File Format 2.0, section 3.1) starts with these bytes.
+bool is_ktx2(std::span<const std::byte> bytes) {
+    constexpr std::string_view start = "\xABKTX 20\xBB";
+    return bytes.size() >= start.size() &&
+           std::memcmp(bytes.data(), start.data(), start.size()) == 0;
+}
+
 /// Bytes that decoding takes, against what is left; nothing is allocated before.
-base::Status measure(Import& import, const Flight& flight) {
+base::Status measure(Import& import, std::size_t id, const Flight& flight) {
+    if (is_ktx2(flight.bytes))
+        return base::fail({.code = ErrorCode::feature_missing,
+                           .what = "KTX2 pictures are not supported",
+                           .found = import.scene.images[id].name,
+                           .remedy = "convert it to PNG, JPEG or WebP"});
     const auto header = image::read_header(flight.bytes, import.limits);
     if (!header) return tl::unexpected(header.error());
     const std::uint64_t needed =
@@ -66,7 +80,7 @@ base::Status prepare(Import& import, std::size_t id, Flight& flight) {
     const auto bytes = fetch(import, index, flight.owned);
     if (!bytes) return settle(import, flight.where, bytes.error());
     flight.bytes = *bytes;
-    if (auto fits = measure(import, flight); !fits) {
+    if (auto fits = measure(import, id, flight); !fits) {
         flight.bytes = {};
         return settle(import, flight.where, fits.error());
     }

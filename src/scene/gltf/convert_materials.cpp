@@ -185,6 +185,13 @@ void convert_materials(Import& import) {
         import.scene.materials.push_back(convert_material(import, i));
 }
 
+void drop_missing_normal_maps(Scene& scene) {
+    for (Material& material : scene.materials) {
+        auto& map = material.textures[static_cast<std::size_t>(TextureSlot::normal_texture)];
+        if (map && scene.images[map->image.index].pixels == nullptr) map = std::nullopt;
+    }
+}
+
 MaterialId default_material(Import& import) {
     if (!import.default_material) {
         import.default_material =

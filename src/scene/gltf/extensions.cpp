@@ -38,6 +38,12 @@ constexpr auto losses = std::to_array<Loss>(
      {"KHR_animation_pointer", "animated properties"},
      {"EXT_lights_image_based", "the file's own environment"}});
 
+/// Another form of what the file has in plain form as well, unless it is required.
+bool has_fallback(std::string_view extension) {
+    return extension.ends_with("_compression") || extension == "KHR_texture_basisu" ||
+           extension == "EXT_texture_avif" || extension == "MSFT_texture_dds";
+}
+
 base::Error missing(const std::string& name) {
     return {.code = base::ErrorCode::feature_missing,
             .where = "/extensionsRequired",
@@ -71,12 +77,15 @@ base::Status check_implemented(const Json& json, const LoadOptions& options,
     for (std::size_t i = 0; i < count_at(json, "extensionsUsed"); ++i) {
         const Json& name = *element_at(json, "extensionsUsed", i);
         if (!name.is_string() || is_implemented(name.get<std::string>())) continue;
-        warnings.push_back({.file = {},
-                            .where = "/extensionsUsed",
-                            .what = "extension is not supported",
-                            .found = name.get<std::string>() + ", the picture lacks " +
-                                     std::string(loss_without(name.get<std::string>())),
-                            .remedy = {}});
+        const std::string text = name.get<std::string>();
+        warnings.push_back(
+            {.file = {},
+             .where = "/extensionsUsed",
+             .what = "extension is not supported",
+             .found = has_fallback(text)
+                          ? text + ", the plain data beside it is shown"
+                          : text + ", the picture lacks " + std::string(loss_without(text)),
+             .remedy = {}});
     }
     return {};
 }

@@ -69,6 +69,7 @@ base::Result<Loaded> convert(Asset& asset, const LoadOptions& options, const bas
     if (auto converted = convert_nodes(import); !converted)
         return tl::unexpected(converted.error());
     if (auto images = load_images(import); !images) return tl::unexpected(images.error());
+    if (options.decode_images) drop_missing_normal_maps(loaded.scene);
     list_names(asset.json, loaded.scene);
     loaded.reads = std::move(asset.reads);
     return loaded;

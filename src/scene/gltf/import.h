@@ -68,6 +68,9 @@ struct Import {
 
 /// All of the file's materials, same order.
 void convert_materials(Import& import);
+/// White stands in for a picture that is missing, which no normal map may be: its normals would
+/// lean over.
+void drop_missing_normal_maps(Scene& scene);
 /// The material for a primitive without one (glTF 2.0, section 3.9.7).
 [[nodiscard]] MaterialId default_material(Import& import);
 /// The same material, less the textures whose coordinates the mesh lacks; one warning each.

@@ -27,6 +27,13 @@ enum class Kind : std::uint8_t {
     index_maps,  ///< array of those: morph targets
 };
 
+[[nodiscard]] std::string_view kind_name(Kind kind);
+[[nodiscard]] bool has_kind(const Json& value, Kind kind);
+/// Of the elements of an array of this kind.
+[[nodiscard]] Kind element_kind(Kind kind);
+/// Whether `word` is one of "A|B|C".
+[[nodiscard]] bool is_listed(std::string_view list, std::string_view word);
+
 struct Shape;
 
 /// One property of an object. Indices are integers that refer to another array.

@@ -315,7 +315,8 @@ nlohmann::json table(const std::string& name) {
     return nlohmann::json::parse(file);
 }
 
-// Independent closed forms of tests/data/sh_irradiance.json, with the environment's axis along each
+// Independent closed forms of tests/data/sh_irradiance.json that are nowhere negative (those are
+// windowed), with the environment's axis along each
 // of x, y, z.
 TEST(EnvironmentIrradiance, NineCoefficientsEqualTheClosedFormsWhateverTheAxis) {
     using Radiance = std::function<float(float)>;
@@ -323,8 +324,7 @@ TEST(EnvironmentIrradiance, NineCoefficientsEqualTheClosedFormsWhateverTheAxis) 
         {1, [](float) { return 1.0F; }},
         {3, [](float c) { return c > 0.0F ? 1.0F : 0.0F; }},
         {4, [](float c) { return 1.0F + 0.5F * c; }},
-        {5, [](float c) { return c * c; }},
-        {7, [](float c) { return std::max(c, 0.0F); }}};
+        {5, [](float c) { return c * c; }}};
     const auto rows = table("sh_irradiance.json")["rows"];
     for (const auto& [column, radiance] : cases)
         for (int axis = 0; axis < 3; ++axis) {
@@ -359,6 +359,18 @@ TEST(EnvironmentIrradiance, SunAloneIsNowhereNegativeAndKeepsItsMean) {
                 math::direction_from(static_cast<float>(azimuth), static_cast<float>(elevation));
             EXPECT_GE(evaluate_irradiance(baked.irradiance_sh, n).x, least_allowed);
         }
+}
+
+// Reference: 9 coefficients of a parallel beam of normal irradiance 1 have their least value
+// -0.0396 where the cosine is -8/15 (Ramamoorthi & Hanrahan 2001), their mean 1/4 and their largest
+// value 1.0625.
+TEST(EnvironmentIrradiance, LoneSunKeepsTheShareOfItsBandsThatLeavesTheLeastValueAtZero) {
+    image::Image latlong({1024, 512}, 3, image::Sample::f32);
+    for (std::size_t c = 0; c < 3; ++c) latlong.as<float>()[(256 * 1024 + 512) * 3 + c] = 1e5F;
+    const double beam = 1e5 * 2.0 * pi / 1024 * pi / 512;  // illuminance facing it, up to 1e-5
+    const double kept = 0.25 / (0.25 + 0.0396);
+    const Vec3 facing = evaluate_irradiance(bake(latlong).irradiance_sh, {0.0F, 0.0F, -1.0F});
+    EXPECT_NEAR(static_cast<double>(facing.x) * pi / beam, 0.25 + kept * 0.8125, 2e-3);
 }
 
 TEST(EnvironmentIrradiance, WindowLeavesWhatIsNowhereNegativeUnchanged) {

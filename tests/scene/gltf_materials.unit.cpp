@@ -1,0 +1,186 @@
+// The glTF importer on sound files: materials, textures and their extensions.
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "gltf_fixture.h"
+
+namespace facet::test {
+namespace {
+
+using math::Vec3;
+using math::Vec4;
+using tables::TextureSlot;
+
+scene::Loaded loaded_or_fail(const Document& d, const scene::LoadOptions& options = {}) {
+    auto loaded = load_document(d, options);
+    EXPECT_TRUE(loaded.has_value()) << base::to_line(loaded.error());
+    return loaded ? std::move(*loaded) : scene::Loaded{};
+}
+
+/// Smallest PNG there is: one pixel, as bytes.
+std::string tiny_png() {
+    const std::vector<unsigned char> bytes{
+        0x89, 'P',  'N',  'G',  0x0D, 0x0A, 0x1A, 0x0A, 0,    0,    0,    0x0D, 'I',  'H',
+        'D',  'R',  0,    0,    0,    1,    0,    0,    0,    1,    8,    2,    0,    0,
+        0,    0x90, 0x77, 0x53, 0xDE, 0,    0,    0,    0x0C, 'I',  'D',  'A',  'T',  8,
+        0xD7, 0x63, 0xF8, 0xCF, 0xC0, 0,    0,    3,    1,    1,    0,    0x18, 0xDD, 0x8D,
+        0xB0, 0,    0,    0,    0,    'I',  'E',  'N',  'D',  0xAE, 0x42, 0x60, 0x82};
+    return {bytes.begin(), bytes.end()};
+}
+
+/// A triangle with coordinates, a material and one texture.
+Document textured() {
+    Document d = triangle();
+    primitive(d)["attributes"]["TEXCOORD_0"] = d.floats("VEC2", 2, {0, 1, 1, 1, 0, 0});
+    primitive(d)["attributes"]["NORMAL"] = d.floats("VEC3", 3, {0, 0, 1, 0, 0, 1, 0, 0, 1});
+    primitive(d)["material"] = 0;
+    d.json["images"] = {{{"uri", "data:image/png;base64," + base64(tiny_png())}}};
+    d.json["textures"] = {{{"source", 0}}};
+    d.json["materials"] = {
+        {{"name", "Painted"}, {"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}}};
+    return d;
+}
+
+TEST(GltfMaterials, what_is_not_given_has_the_defaults_of_gltf) {
+    Document d = triangle();
+    d.json["materials"] = {Json::object()};
+    primitive(d)["material"] = 0;
+    const scene::Material material = loaded_or_fail(d).scene.materials[0];
+    EXPECT_EQ(material.values.metallic, 1.0F);
+    EXPECT_EQ(material.values.roughness, 1.0F);
+    EXPECT_EQ(material.values.base_color, Vec3(1));
+    EXPECT_EQ(material.values.emissive, Vec3(0));
+    EXPECT_EQ(material.alpha_mode, scene::AlphaMode::opaque);
+    EXPECT_FALSE(material.double_sided);
+}
+
+TEST(GltfMaterials, factors_alpha_and_the_extensions_known_are_read) {
+    Document d = triangle();
+    d.json["extensionsUsed"] = {"KHR_materials_emissive_strength", "KHR_materials_unlit"};
+    d.json["materials"] = {{{"pbrMetallicRoughness",
+                             {{"baseColorFactor", {0.1, 0.2, 0.3, 0.4}},
+                              {"metallicFactor", 0.5},
+                              {"roughnessFactor", 0.25}}},
+                            {"emissiveFactor", {1, 0.5, 0}},
+                            {"alphaMode", "MASK"},
+                            {"alphaCutoff", 0.75},
+                            {"doubleSided", true},
+                            {"extensions",
+                             {{"KHR_materials_emissive_strength", {{"emissiveStrength", 300}}},
+                              {"KHR_materials_unlit", Json::object()}}}}};
+    primitive(d)["material"] = 0;
+    const scene::Material material = loaded_or_fail(d).scene.materials[0];
+    EXPECT_FLOAT_EQ(material.values.base_color.y, 0.2F);
+    EXPECT_FLOAT_EQ(material.values.opacity, 0.4F);
+    EXPECT_EQ(material.values.roughness, 0.25F);
+    EXPECT_EQ(material.values.emissive_strength, 300.0F);
+    EXPECT_EQ(material.values.alpha_cutoff, 0.75F);
+    EXPECT_EQ(material.alpha_mode, scene::AlphaMode::mask);
+    EXPECT_TRUE(material.double_sided);
+    EXPECT_TRUE(material.unlit);
+}
+
+TEST(GltfMaterials, factors_out_of_range_are_clamped_with_a_warning) {
+    Document d = triangle();
+    d.json["materials"] = {{{"pbrMetallicRoughness", {{"roughnessFactor", 3.0}}}}};
+    primitive(d)["material"] = 0;
+    const scene::Loaded loaded = loaded_or_fail(d);
+    EXPECT_EQ(loaded.scene.materials[0].values.roughness, 1.0F);
+    ASSERT_FALSE(loaded.warnings.empty());
+    EXPECT_EQ(loaded.warnings[0].where, "/materials/0/pbrMetallicRoughness/roughnessFactor");
+}
+
+TEST(GltfMaterials, a_texture_brings_its_image_sampler_and_coordinates) {
+    Document d = textured();
+    d.json["samplers"] = {{{"wrapS", 33071}, {"wrapT", 33648}, {"magFilter", 9728}}};
+    d.json["textures"][0]["sampler"] = 0;
+    const scene::Loaded loaded = loaded_or_fail(d);
+    const auto& texture = loaded.scene.materials[0].texture(TextureSlot::base_color_texture);
+    ASSERT_TRUE(texture.has_value());
+    EXPECT_EQ(texture->wrap_u, scene::Wrap::clamp);
+    EXPECT_EQ(texture->wrap_v, scene::Wrap::mirror);
+    EXPECT_TRUE(texture->nearest);
+    ASSERT_EQ(loaded.scene.images.size(), 1U);
+}
+
+TEST(GltfMaterials, an_image_used_twice_is_one_image) {
+    Document d = textured();
+    d.json["textures"].push_back({{"source", 0}});
+    d.json["materials"][0]["emissiveTexture"] = {{"index", 1}};
+    EXPECT_EQ(loaded_or_fail(d).scene.images.size(), 1U);
+}
+
+TEST(GltfMaterials, a_texture_whose_coordinates_the_mesh_lacks_is_ignored_with_a_warning) {
+    Document d = textured();
+    d.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["texCoord"] = 1;
+    const scene::Loaded loaded = loaded_or_fail(d);
+    const scene::Material& worn = loaded.scene.materials[loaded.scene.meshes[0].material.index];
+    EXPECT_FALSE(worn.texture(TextureSlot::base_color_texture).has_value());
+    EXPECT_FALSE(loaded.warnings.empty());
+}
+
+TEST(GltfMaterials, the_texture_transform_turns_counter_clockwise_about_the_top_left_corner) {
+    Document d = textured();
+    d.json["extensionsUsed"] = {"KHR_texture_transform"};
+    // Numbers of the Khronos sample TextureTransformTest: at 22.5 degrees the arrow's tip, which
+    // lies at (0.778, 0.778) of the picture, is seen at (0.421, 1.016).
+    d.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["extensions"]
+          ["KHR_texture_transform"] = {{"rotation", 0.39269908169872414}};
+    const scene::Loaded loaded = loaded_or_fail(d);
+    const auto& texture = loaded.scene.materials[0].texture(TextureSlot::base_color_texture);
+    ASSERT_TRUE(texture.has_value());
+    const Vec3 seen = texture->uv_from_uv * Vec3(0.42095F, 1.01627F, 1);
+    EXPECT_NEAR(seen.x, 0.77782F, 1e-4);
+    EXPECT_NEAR(seen.y, 0.77782F, 1e-4);
+}
+
+TEST(GltfMaterials, offset_comes_after_rotation_after_scale) {
+    Document d = textured();
+    d.json["extensionsUsed"] = {"KHR_texture_transform"};
+    d.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["extensions"]
+          ["KHR_texture_transform"] = {
+        {"offset", {0.5, 0.25}}, {"scale", {2, 3}}, {"rotation", 1.5707963267948966}};
+    const scene::Loaded loaded = loaded_or_fail(d);
+    const auto& texture = loaded.scene.materials[0].texture(TextureSlot::base_color_texture);
+    ASSERT_TRUE(texture.has_value());
+    const Vec3 seen = texture->uv_from_uv * Vec3(1, 1, 1);
+    EXPECT_NEAR(seen.x, 3.5F, 1e-5);
+    EXPECT_NEAR(seen.y, -1.75F, 1e-5);
+}
+
+TEST(GltfMaterials, specular_glossiness_of_a_dielectric_and_of_a_metal_keep_their_colors) {
+    Document d = triangle();
+    d.json["extensionsUsed"] = {"KHR_materials_pbrSpecularGlossiness"};
+    const auto material = [](const Json& diffuse, const Json& specular) {
+        return Json{{"extensions",
+                     {{"KHR_materials_pbrSpecularGlossiness",
+                       {{"diffuseFactor", diffuse},
+                        {"specularFactor", specular},
+                        {"glossinessFactor", 0.75}}}}}};
+    };
+    d.json["materials"] = {material({0.8, 0.1, 0.1, 1}, {0.04, 0.04, 0.04}),
+                           material({0, 0, 0, 1}, {1, 0.77, 0.34})};
+    primitive(d)["material"] = 0;
+    const scene::Loaded loaded = loaded_or_fail(d);
+    const tables::MaterialValues& plastic = loaded.scene.materials[0].values;
+    EXPECT_NEAR(plastic.metallic, 0, 1e-3);
+    EXPECT_NEAR(plastic.base_color.x, 0.8F, 1e-2);
+    EXPECT_NEAR(plastic.roughness, 0.25F, 1e-6);
+    const tables::MaterialValues& gold = loaded.scene.materials[1].values;
+    EXPECT_NEAR(gold.metallic, 1, 0.05);
+    EXPECT_NEAR(gold.base_color.z, 0.34F, 0.05);
+}
+
+TEST(GltfMaterials, a_normal_map_makes_tangents_and_none_makes_none) {
+    Document d = textured();
+    EXPECT_TRUE(loaded_or_fail(d).scene.meshes[0].tangents.empty());
+    d.json["materials"][0]["normalTexture"] = {{"index", 0}};
+    const scene::Loaded loaded = loaded_or_fail(d);
+    ASSERT_EQ(loaded.scene.meshes[0].tangents.size(), 3U);
+    EXPECT_EQ(loaded.scene.meshes[0].tangents[0], Vec4(1, 0, 0, 1));
+}
+
+}  // namespace
+}  // namespace facet::test
