@@ -76,8 +76,9 @@ def red_lacquer(a):
     depth = fbm(a.p * 1.6, 32, 4)
     red = mix((0.30, 0.008, 0.007), (0.40, 0.016, 0.010), 0.5 + 0.5 * depth)
     base = mix(red, (0.98, 0.74, 0.33), leaf)
-    peel = 0.00022 * fbm(a.p * 11, 33, 2) * (1 - leaf) + 0.0030 * fbm(a.p * 22, 34, 3) * leaf
-    return Coat(base, softened(a, mix(0.055 + 0.02 * depth, 0.26, leaf)), leaf, peel)
+    # No relief on the lacquer itself: eight bits of normal are too few for what a mirror shows.
+    hammered = 0.0030 * fbm(a.p * 22, 34, 3) * leaf
+    return Coat(base, softened(a, mix(0.055 + 0.02 * depth, 0.26, leaf)), leaf, hammered)
 
 
 def clay(a):
@@ -109,7 +110,7 @@ def glazed_ceramic(a):
     base = mix(base, (0.30, 0.135, 0.055), 0.85 * thin)
     base = mix(base, (0.07, 0.042, 0.027), 0.9 * speck)
     roughness = 0.075 + 0.03 * fbm(a.p * 3, 59, 3) + 0.12 * crackle + 0.16 * speck + 0.06 * thin
-    return Coat(base, softened(a, roughness), 0.0, 0.0006 * fbm(a.p * 5, 60, 2) - 0.0003 * crackle)
+    return Coat(base, softened(a, roughness), 0.0)
 
 
 def worn_paint(a):

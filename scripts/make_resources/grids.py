@@ -65,7 +65,7 @@ def hits_box(origin, direction, half, middle, turn):
 def opening_seen(points, normals):
     """Share of the cosine-weighted hemisphere that leaves the box through its open front."""
     t, b = frames(normals)
-    n, local = np.asarray(normals, np.float32), cosine_rays(400)
+    n, local = np.asarray(normals, np.float32), cosine_rays(900)
     d = local[None, :, :1] * t[:, None] + local[None, :, 1:2] * b[:, None] + local[None, :, 2:] * n[:, None]
     p = np.asarray(points, np.float32) + n * 1e-4
     with np.errstate(divide="ignore", invalid="ignore"):

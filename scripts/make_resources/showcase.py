@@ -13,7 +13,7 @@ PLACES = {"gold": (0.0, -0.235, 0.235), "brushed_steel": (0.140, 0.115, 0.045), 
           "weathered_copper": (0.285, -0.170, 0.165)}
 TILT = shapes.rotation((0, 0, 1), -16) @ shapes.rotation((1, 0, 0), 27)  # shows the cap and slants the band
 REACH_M = 0.34            # at this distance a blocker takes half its part
-DEEPEN = 1.35             # exponent on the stage's visibility: a studio lights from a few sides, not from all
+DEEPEN = 1.6              # exponent on the stage's visibility: a studio lights from a few sides, not from all
 JPEG = 90
 AO_TOP, AO_SIDE = 96, 48  # texels of a plinth's top (square) and of its side's height in the atlas
 

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <charconv>
 #include <optional>
+#include <set>
+#include <string>
 #include <utility>
 
 namespace facet::scene::gltf {
@@ -43,9 +45,14 @@ bool has_extension_form(std::string_view name) {
                        [](char c) { return (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9'); });
 }
 
-bool contains(const Json* list, const Json& name) {
-    return list != nullptr && list->is_array() &&
-           std::find(list->begin(), list->end(), name) != list->end();
+using Names = std::set<std::string, std::less<>>;
+
+Names names_at(const Json& json, std::string_view key) {
+    Names names;
+    for (std::size_t i = 0; i < count_at(json, key); ++i)
+        if (const Json& name = *element_at(json, key, i); name.is_string())
+            names.insert(name.get<std::string>());
+    return names;
 }
 
 bool is_known_to_schema(std::string_view name) {
@@ -54,6 +61,7 @@ bool is_known_to_schema(std::string_view name) {
 }
 
 void check_used(const Json& json, Problems& problems) {
+    const Names required = names_at(json, "extensionsRequired");
     for (std::size_t i = 0; i < count_at(json, "extensionsUsed"); ++i) {
         const Json& name = *element_at(json, "extensionsUsed", i);
         if (!name.is_string()) continue;
@@ -66,7 +74,7 @@ void check_used(const Json& json, Problems& problems) {
             problems.note(Severity::information, "UNSUPPORTED_EXTENSION", where,
                           "contents of this extension are not checked", brief(name));
         // Quantised attributes have no plain form to fall back to.
-        if (name == "KHR_mesh_quantization" && !contains(find(json, "extensionsRequired"), name))
+        if (name == "KHR_mesh_quantization" && !required.contains(name.get<std::string>()))
             problems.error("NON_REQUIRED_EXTENSION", where,
                            "extension must be in extensionsRequired too", brief(name));
     }
@@ -103,10 +111,10 @@ void check_version(const Json& json, Problems& problems) {
 
 void check_extension_lists(const Json& json, Problems& problems) {
     check_used(json, problems);
-    const Json* const used = find(json, "extensionsUsed");
+    const Names used = names_at(json, "extensionsUsed");
     for (std::size_t i = 0; i < count_at(json, "extensionsRequired"); ++i) {
         const Json& name = *element_at(json, "extensionsRequired", i);
-        if (name.is_string() && !contains(used, name))
+        if (name.is_string() && !used.contains(name.get<std::string>()))
             problems.error("UNUSED_EXTENSION_REQUIRED", pointer_text("extensionsRequired", i),
                            "required extension is not in extensionsUsed", brief(name));
     }

@@ -7,6 +7,8 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
+#include <set>
+#include <string>
 
 namespace facet::scene::gltf {
 namespace {
@@ -19,6 +21,7 @@ struct Looking {
     const base::Limits& limits;
     Problems& problems;
     bool allows_webp;
+    std::set<std::string>& read;  ///< files looked at already
 };
 
 std::string_view mime_of(tables::ImageFormat format) {
@@ -116,6 +119,7 @@ void check_contents(Looking& l) {
         return;
     }
     if (uri.empty() || (!is_data_uri(uri) && !decode_relative_uri(uri))) return;
+    if (!is_data_uri(uri) && !l.read.insert(uri).second) return;
     const auto bytes = read_uri(l.asset, uri, l.asset.memory_left);
     if (!bytes) {
         const bool is_io = !is_data_uri(uri);
@@ -136,11 +140,13 @@ bool uses(const Json& json, const char* extension) {
 
 void check_images(Asset& asset, Depth depth, const base::Limits& limits, Problems& problems) {
     const bool allows_webp = uses(asset.json, "EXT_texture_webp");
+    std::set<std::string> read;
     asset.image_mimes.resize(count_at(asset.json, "images"));
     for (std::size_t i = 0; i < count_at(asset.json, "images"); ++i) {
         const Json& json = *element_at(asset.json, "images", i);
         if (!json.is_object()) continue;
-        Looking looking{asset, json, i, pointer_text("images", i), limits, problems, allows_webp};
+        Looking looking{asset,  json,     i,           pointer_text("images", i),
+                        limits, problems, allows_webp, read};
         check_source(looking);
         if (const std::string uri = string_at(json, "uri"); find(json, "uri") != nullptr)
             check_uri(looking, uri);

@@ -242,6 +242,7 @@ void check_morphs(const Asset& asset, std::size_t index, Problems& problems) {
 
 void check_meshes(const Asset& asset, Problems& problems) {
     const Quantized quantized = quantized_of(asset.json);
+    const std::vector<MaterialNeeds> needs = read_material_needs(asset.json);
     for (std::size_t m = 0; m < count_at(asset.json, "meshes"); ++m) {
         const Json& mesh = *element_at(asset.json, "meshes", m);
         for (std::size_t p = 0; p < count_at(mesh, "primitives"); ++p) {
@@ -254,7 +255,8 @@ void check_meshes(const Asset& asset, Problems& problems) {
             check_mode(looking);
             for (std::size_t t = 0; t < count_at(primitive, "targets"); ++t)
                 check_target(looking, t);
-            check_material_needs(asset.json, primitive, looking.where, problems);
+            check_material_needs(needs, primitive, looking.where, problems);
+            check_mappings(asset.json, primitive, looking.where, problems);
         }
         check_morphs(asset, m, problems);
     }

@@ -127,45 +127,6 @@ void check_scene(const Json& json, const Hierarchy& hierarchy, std::size_t index
 
 }  // namespace
 
-Hierarchy read_hierarchy(const Json& json, Problems* problems) {
-    const std::size_t count = count_at(json, "nodes");
-    Hierarchy out{.parents = std::vector<std::uint32_t>(count, Hierarchy::none), .looped = {}};
-    for (std::size_t i = 0; i < count; ++i) {
-        const Json& node = *element_at(json, "nodes", i);
-        for (std::size_t c = 0; c < count_at(node, "children"); ++c) {
-            const auto child = as_unsigned(*element_at(node, "children", c));
-            if (!child || *child >= count) continue;
-            std::uint32_t& parent = out.parents[*child];
-            if (parent != Hierarchy::none && parent != i && problems != nullptr)
-                problems->error("NODE_PARENT_OVERRIDE", fmt::format("/nodes/{}/children/{}", i, c),
-                                "node has two parents",
-                                fmt::format("node {}: {} and {}", *child, parent, i));
-            else if (parent == i && problems != nullptr)
-                problems->error("NODE_PARENT_OVERRIDE", fmt::format("/nodes/{}/children/{}", i, c),
-                                "node is the same parent's child twice",
-                                fmt::format("node {}", *child));
-            parent = static_cast<std::uint32_t>(i);
-        }
-    }
-    // Every walk up ends at a root, at a loop, or where an earlier walk has been: linear in all.
-    std::vector<std::uint32_t> walk_of(count, Hierarchy::none);
-    for (std::uint32_t start = 0; start < count; ++start) {
-        std::uint32_t at = start;
-        while (at != Hierarchy::none && walk_of[at] == Hierarchy::none) {
-            walk_of[at] = start;
-            at = out.parents[at];
-        }
-        if (at == Hierarchy::none || walk_of[at] != start) continue;
-        const std::uint32_t first = at;
-        do {
-            out.looped.push_back(at);
-            at = out.parents[at];
-        } while (at != first);
-    }
-    std::sort(out.looped.begin(), out.looped.end());
-    return out;
-}
-
 void check_nodes(const Asset& asset, Problems& problems) {
     for (std::size_t i = 0; i < count_at(asset.json, "nodes"); ++i) {
         const Json& node = *element_at(asset.json, "nodes", i);

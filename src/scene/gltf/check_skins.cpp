@@ -6,38 +6,10 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include <set>
+#include <algorithm>
 
 namespace facet::scene::gltf {
 namespace {
-
-/// Bounded, as a chain of parents may be as long as the file likes.
-constexpr std::size_t max_climb = 10'000;
-
-/// `node` and its ancestors, nearest first.
-std::vector<std::uint32_t> ancestors(const Hierarchy& hierarchy, std::uint32_t node) {
-    std::vector<std::uint32_t> out;
-    for (std::uint32_t at = node; at != Hierarchy::none && out.size() < max_climb;
-         at = hierarchy.parents[at])
-        out.push_back(at);
-    return out;
-}
-
-/// Nodes that all joints have for an ancestor (or are); empty where there is no common root.
-std::set<std::uint32_t> common_ancestors(const Hierarchy& hierarchy,
-                                         const std::vector<std::uint32_t>& joints) {
-    std::set<std::uint32_t> common;
-    for (std::size_t i = 0; i < joints.size(); ++i) {
-        const std::vector<std::uint32_t> own = ancestors(hierarchy, joints[i]);
-        if (i == 0) {
-            common.insert(own.begin(), own.end());
-            continue;
-        }
-        const std::set<std::uint32_t> own_set(own.begin(), own.end());
-        std::erase_if(common, [&](std::uint32_t node) { return !own_set.contains(node); });
-    }
-    return common;
-}
 
 void check_matrices(const Asset& asset, const Json& skin, const std::string& where,
                     Problems& problems) {
@@ -68,49 +40,62 @@ std::vector<std::uint32_t> joints_of(const Json& skin, std::size_t node_count) {
     return joints;
 }
 
-void check_joints(const Json& skin, const Hierarchy& hierarchy, const std::string& where,
+void check_joints(const Json& skin, const Placement& placement, const std::string& where,
                   Problems& problems) {
-    const std::vector<std::uint32_t> joints = joints_of(skin, hierarchy.parents.size());
+    const std::vector<std::uint32_t> joints = joints_of(skin, placement.roots.size());
     if (count_at(skin, "joints") == 0) return;
-    const std::set<std::uint32_t> common = common_ancestors(hierarchy, joints);
-    if (common.empty() || joints.size() != count_at(skin, "joints")) {
+    const bool are_all = joints.size() == count_at(skin, "joints");
+    const bool have_root = std::all_of(joints.begin(), joints.end(), [&](std::uint32_t joint) {
+        return placement.roots[joint] == placement.roots[joints[0]];
+    });
+    if (!are_all || !have_root) {
         problems.error("SKIN_NO_COMMON_ROOT", where + "/joints", "joints have no common root");
         return;
     }
     const auto skeleton = index_at(skin, "skeleton");
-    if (skeleton && *skeleton < hierarchy.parents.size() && !common.contains(*skeleton))
+    if (!skeleton || *skeleton >= placement.roots.size()) return;
+    const bool is_above = std::all_of(joints.begin(), joints.end(), [&](std::uint32_t joint) {
+        return placement.enter[*skeleton] <= placement.enter[joint] &&
+               placement.enter[joint] < placement.leave[*skeleton];
+    });
+    if (!is_above)
         problems.error("SKIN_SKELETON_INVALID", where + "/skeleton",
                        "skeleton is no common root of the joints", std::to_string(*skeleton));
 }
 
-std::uint32_t root_of(const Hierarchy& hierarchy, std::uint32_t node) {
-    return ancestors(hierarchy, node).back();
-}
-
-/// Whether scene `index` shows `root`.
-bool shows(const Json& json, std::size_t index, std::uint32_t root) {
-    const Json* const nodes = find(*element_at(json, "scenes", index), "nodes");
-    if (nodes == nullptr || !nodes->is_array()) return false;
-    for (const Json& node : *nodes)
-        if (as_unsigned(node) == root) return true;
-    return false;
+/// By node: the scenes that list it, rising.
+std::vector<std::vector<std::uint32_t>> scenes_of_nodes(const Json& json, std::size_t node_count) {
+    std::vector<std::vector<std::uint32_t>> out(node_count);
+    for (std::uint32_t s = 0; s < count_at(json, "scenes"); ++s) {
+        const Json& scene = *element_at(json, "scenes", s);
+        for (std::size_t n = 0; n < count_at(scene, "nodes"); ++n)
+            if (const auto node = as_unsigned(*element_at(scene, "nodes", n));
+                node && *node < node_count)
+                out[*node].push_back(s);
+    }
+    return out;
 }
 
 /// A skinned mesh in a scene that its joints are not in.
-void check_scenes(const Json& json, const Hierarchy& hierarchy, Problems& problems) {
-    for (std::uint32_t n = 0; n < hierarchy.parents.size(); ++n) {
+void check_scenes(const Json& json, const Placement& placement, Problems& problems) {
+    const std::size_t node_count = placement.roots.size();
+    const auto scenes = scenes_of_nodes(json, node_count);
+    for (std::uint32_t n = 0; n < node_count; ++n) {
         const Json& node = *element_at(json, "nodes", n);
         const auto skin_index = index_at(node, "skin");
         const Json* const skin = skin_index ? element_at(json, "skins", *skin_index) : nullptr;
-        if (skin == nullptr || find(node, "mesh") == nullptr) continue;
-        const std::vector<std::uint32_t> joints = joints_of(*skin, hierarchy.parents.size());
-        if (joints.empty()) continue;
-        for (std::size_t s = 0; s < count_at(json, "scenes"); ++s)
-            if (shows(json, s, root_of(hierarchy, n)) &&
-                !shows(json, s, root_of(hierarchy, joints[0])))
-                problems.error("NODE_SKIN_NO_SCENE", pointer_text("nodes", n),
-                               "skinned mesh is in a scene without its joints",
-                               fmt::format("scene {}", s));
+        const Json* const joint = skin != nullptr ? element_at(*skin, "joints", 0) : nullptr;
+        const auto first = joint != nullptr ? as_unsigned(*joint) : std::nullopt;
+        if (find(node, "mesh") == nullptr || !first || *first >= node_count) continue;
+        const auto& with_mesh = scenes[placement.roots[n]];
+        const auto& with_joints = scenes[placement.roots[*first]];
+        // Both rise, so the first difference is found in the length of the shorter.
+        const auto [missing, other] = std::mismatch(with_mesh.begin(), with_mesh.end(),
+                                                    with_joints.begin(), with_joints.end());
+        if (missing != with_mesh.end() && (other == with_joints.end() || *other > *missing))
+            problems.error("NODE_SKIN_NO_SCENE", pointer_text("nodes", n),
+                           "skinned mesh is in a scene without its joints",
+                           fmt::format("scene {}", *missing));
     }
 }
 
@@ -120,22 +105,23 @@ bool has_transform(const Json& node) {
 }
 
 /// Transforms that a skin overrules.
-void note_ignored_transforms(const Json& json, const Hierarchy& hierarchy, Problems& problems) {
-    for (std::uint32_t n = 0; n < hierarchy.parents.size(); ++n) {
+void note_ignored_transforms(const Json& json, const Hierarchy& hierarchy,
+                             const Placement& placement, Problems& problems) {
+    std::vector<bool> is_moved(placement.roots.size(), false);  // by itself or from above
+    for (const std::uint32_t n : placement.order) {
         const Json& node = *element_at(json, "nodes", n);
+        const std::uint32_t parent = hierarchy.parents[n];
+        const bool is_moved_from_above = parent != Hierarchy::none && is_moved[parent];
+        is_moved[n] = is_moved_from_above || has_transform(node);
         if (find(node, "skin") == nullptr || find(node, "mesh") == nullptr) continue;
         const std::string where = pointer_text("nodes", n);
         if (has_transform(node))
             problems.note(Severity::warning, "NODE_SKINNED_MESH_LOCAL_TRANSFORMS", where,
                           "a skinned mesh is not moved by its own node");
-        if (hierarchy.parents[n] == Hierarchy::none) continue;
-        bool is_moved = false;
-        for (const std::uint32_t above : ancestors(hierarchy, hierarchy.parents[n]))
-            is_moved = is_moved || has_transform(*element_at(json, "nodes", above));
-        if (is_moved)
+        if (is_moved_from_above)
             problems.note(Severity::warning, "NODE_SKINNED_MESH_PARENT_TRANSFORMS", where,
                           "a skinned mesh is not moved by the nodes above it");
-        else
+        else if (parent != Hierarchy::none)
             problems.note(Severity::information, "NODE_SKINNED_MESH_NON_ROOT", where,
                           "a node with a skinned mesh should be a root");
     }
@@ -146,15 +132,16 @@ void note_ignored_transforms(const Json& json, const Hierarchy& hierarchy, Probl
 void check_skins(const Asset& asset, Problems& problems) {
     if (count_at(asset.json, "skins") == 0) return;
     const Hierarchy hierarchy = read_hierarchy(asset.json, nullptr);
-    if (!hierarchy.looped.empty()) return;  // ancestors mean nothing then
+    if (!hierarchy.looped.empty()) return;  // above and below mean nothing then
+    const Placement placement = place(hierarchy);
     for (std::size_t i = 0; i < count_at(asset.json, "skins"); ++i) {
         const Json& skin = *element_at(asset.json, "skins", i);
         const std::string where = pointer_text("skins", i);
         check_matrices(asset, skin, where, problems);
-        check_joints(skin, hierarchy, where, problems);
+        check_joints(skin, placement, where, problems);
     }
-    check_scenes(asset.json, hierarchy, problems);
-    note_ignored_transforms(asset.json, hierarchy, problems);
+    check_scenes(asset.json, placement, problems);
+    note_ignored_transforms(asset.json, hierarchy, placement, problems);
 }
 
 }  // namespace facet::scene::gltf

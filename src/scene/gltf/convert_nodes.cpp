@@ -8,6 +8,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -17,7 +18,10 @@ namespace {
 using base::ErrorCode;
 
 /// Meshes made so far, by mesh and whether turned round; those of a pose of their own are not kept.
-using Cache = std::map<std::pair<std::size_t, bool>, std::vector<MeshId>>;
+struct Cache {
+    std::map<std::pair<std::size_t, bool>, std::vector<MeshId>> meshes;
+    std::map<std::size_t, std::vector<Mat4>> joints;  ///< by skin
+};
 
 /// Roots of the scene to show.
 base::Result<std::vector<int>> choose_roots(Import& import) {
@@ -104,14 +108,18 @@ base::Status place_mesh(Import& import, const Placement& placement, Pose pose, b
     const auto mesh_index = static_cast<std::size_t>(node.mesh);
     const std::pair key(mesh_index, pose.is_mirrored);
     std::vector<MeshId> ids;
-    if (const auto found = cache.find(key); is_shared && found != cache.end()) {
+    if (const auto found = cache.meshes.find(key); is_shared && found != cache.meshes.end()) {
         ids = found->second;
     } else {
         auto built = build_meshes(import, mesh_index, pose);
         if (!built) return base::fail(built.error());
         ids = std::move(*built);
-        if (is_shared) cache[key] = ids;
+        if (is_shared) cache.meshes[key] = ids;
     }
+    if (auto taken = import.take_memory(std::max<std::size_t>(ids.size(), 1) * sizeof(Instance),
+                                        pointer_text("nodes", placement.node));
+        !taken)
+        return taken;
     for (const MeshId id : ids)
         import.scene.instances.push_back({.mesh = id,
                                           .world_from_object = placement.world_from_object,
@@ -133,7 +141,10 @@ base::Status convert_mesh_node(Import& import, const Transforms& transforms, std
     if (is_skinned) {
         // A skinned mesh stands where its joints are; its own node's place is ignored (glTF 2.0,
         // section 3.7.3.3).
-        pose.joints = joint_matrices(import, transforms, static_cast<std::size_t>(node.skin));
+        const auto skin = static_cast<std::size_t>(node.skin);
+        if (!cache.joints.contains(skin))
+            cache.joints[skin] = joint_matrices(import, transforms, skin);
+        pose.joints = cache.joints[skin];
         placement.world_from_object = Mat4(1.0F);
     }
     const bool is_shared = !has_weights && !is_skinned;

@@ -10,10 +10,11 @@
 namespace facet::scene::gltf {
 namespace {
 
-void check_times(const Asset& asset, const Json& sampler, const std::string& at,
+void check_times(const Asset& asset, const Json& sampler, const std::string& at, Done& done,
                  Problems& problems) {
     const Accessor* const input = sound_accessor(asset, find(sampler, "input"));
     if (input == nullptr || input->component != Component::f32 || input->components != 1) return;
+    if (!done.insert("times " + find(sampler, "input")->dump()).second) return;
     const std::vector<float> times = read_floats(*input);
     std::size_t told = 0;
     for (std::size_t i = 0; i < times.size() && told < most_told; ++i) {
@@ -29,10 +30,11 @@ void check_times(const Asset& asset, const Json& sampler, const std::string& at,
     }
 }
 
-void check_rotations(const Asset& asset, const Json& sampler, const std::string& at,
+void check_rotations(const Asset& asset, const Json& sampler, const std::string& at, Done& done,
                      Problems& problems) {
     const Accessor* const output = sound_accessor(asset, find(sampler, "output"));
     if (output == nullptr || output->components != 4) return;
+    if (!done.insert("rotations " + sampler.dump()).second) return;
     const bool is_cubic = string_at(sampler, "interpolation") == "CUBICSPLINE";
     const std::vector<float> values = read_floats(*output);
     std::size_t told = 0;
@@ -51,11 +53,11 @@ void check_rotations(const Asset& asset, const Json& sampler, const std::string&
     }
 }
 
-void check_animation(const Asset& asset, std::size_t index, Problems& problems) {
+void check_animation(const Asset& asset, std::size_t index, Done& done, Problems& problems) {
     const Json& animation = *element_at(asset.json, "animations", index);
     for (std::size_t s = 0; s < count_at(animation, "samplers"); ++s)
         check_times(asset, *element_at(animation, "samplers", s),
-                    fmt::format("/animations/{}/samplers/{}/input", index, s), problems);
+                    fmt::format("/animations/{}/samplers/{}/input", index, s), done, problems);
     for (std::size_t c = 0; c < count_at(animation, "channels"); ++c) {
         const Json& channel = *element_at(animation, "channels", c);
         const Json* const path = find_path(channel, "target/path");
@@ -64,17 +66,21 @@ void check_animation(const Asset& asset, std::size_t index, Problems& problems) 
             sampler_index ? element_at(animation, "samplers", *sampler_index) : nullptr;
         if (path != nullptr && *path == "rotation" && sampler != nullptr)
             check_rotations(asset, *sampler,
-                            fmt::format("/animations/{}/channels/{}/sampler", index, c), problems);
+                            fmt::format("/animations/{}/channels/{}/sampler", index, c), done,
+                            problems);
     }
 }
 
 }  // namespace
 
 void check_bind_matrices(const Asset& asset, Problems& problems) {
+    Done done;
     for (std::size_t s = 0; s < count_at(asset.json, "skins"); ++s) {
         const Accessor* const accessor =
             sound_accessor(asset, find(*element_at(asset.json, "skins", s), "inverseBindMatrices"));
         if (accessor == nullptr || accessor->components != 16) continue;
+        const Json& index = *find(*element_at(asset.json, "skins", s), "inverseBindMatrices");
+        if (!done.insert(index.dump()).second) continue;
         const std::vector<float> values = read_floats(*accessor);
         std::size_t told = 0;
         for (std::size_t i = 0; i < values.size() && told < 8; ++i) {
@@ -88,8 +94,9 @@ void check_bind_matrices(const Asset& asset, Problems& problems) {
 }
 
 void check_keyframes(const Asset& asset, Problems& problems) {
+    Done done;
     for (std::size_t i = 0; i < count_at(asset.json, "animations"); ++i)
-        check_animation(asset, i, problems);
+        check_animation(asset, i, done, problems);
 }
 
 }  // namespace facet::scene::gltf

@@ -14,15 +14,25 @@
 namespace facet::scene::gltf {
 namespace {
 
-constexpr double sum_tolerance = 2e-7;  // of the validator, for each weight
+void note_degenerates(const Json& primitive, const std::vector<std::uint32_t>& indices,
+                      const std::string& where, Problems& problems) {
+    std::size_t degenerate_count = 0;
+    if (unsigned_at(primitive, "mode").value_or(4) == 4)
+        for (std::size_t i = 0; i + 2 < indices.size(); i += 3)
+            degenerate_count += indices[i] == indices[i + 1] || indices[i + 1] == indices[i + 2] ||
+                                indices[i + 2] == indices[i];
+    if (degenerate_count > 0)
+        problems.note(Severity::information, "ACCESSOR_INDEX_TRIANGLE_DEGENERATE",
+                      where + "/indices", "triangles without area",
+                      fmt::format("{} of {}", degenerate_count, indices.size() / 3));
+}
 
 void check_indices(const Asset& asset, const Json& primitive, const std::string& where,
-                   Problems& problems) {
+                   Problems& problems, Done& done) {
     const Accessor* const accessor = sound_accessor(asset, find(primitive, "indices"));
     const Json* const attributes = find(primitive, "attributes");
     const auto position = attributes != nullptr ? index_at(*attributes, "POSITION") : std::nullopt;
     if (accessor == nullptr || accessor->components != 1) return;
-    const std::vector<std::uint32_t> indices = read_unsigned(*accessor);
     const std::uint64_t restart =
         (std::uint64_t{1} << (8 * component_bytes(accessor->component))) - 1;
     // Its count matters even where it has no data.
@@ -30,6 +40,10 @@ void check_indices(const Asset& asset, const Json& primitive, const std::string&
     const bool is_known = position && position_index < asset.accessors.size();
     const std::size_t known = is_known ? asset.accessors[position_index].count : 0;
     const std::size_t vertex_count = known > 0 ? known : restart;
+    const std::string key =
+        fmt::format("indices {} {}", find(primitive, "indices")->dump(), vertex_count);
+    if (!done.insert(key).second) return;
+    const std::vector<std::uint32_t> indices = read_unsigned(*accessor);
     std::size_t told = 0;
     for (std::size_t i = 0; i < indices.size() && told < most_told; ++i) {
         if (indices[i] == restart)
@@ -43,15 +57,7 @@ void check_indices(const Asset& asset, const Json& primitive, const std::string&
             continue;
         ++told;
     }
-    std::size_t degenerate_count = 0;
-    if (unsigned_at(primitive, "mode").value_or(4) == 4)
-        for (std::size_t i = 0; i + 2 < indices.size(); i += 3)
-            degenerate_count += indices[i] == indices[i + 1] || indices[i + 1] == indices[i + 2] ||
-                                indices[i + 2] == indices[i];
-    if (degenerate_count > 0)
-        problems.note(Severity::information, "ACCESSOR_INDEX_TRIANGLE_DEGENERATE",
-                      where + "/indices", "triangles without area",
-                      fmt::format("{} of {}", degenerate_count, indices.size() / 3));
+    note_degenerates(primitive, indices, where, problems);
 }
 
 void check_unit(const std::vector<float>& values, std::size_t stride, const std::string& at,
@@ -102,89 +108,31 @@ void check_attribute(const Accessor& accessor, std::string_view semantic, const 
         check_colors(read_floats(accessor), at, problems);
 }
 
-/// Joints and weights of all sets of a primitive, by vertex.
-struct Influences {
-    std::vector<std::vector<std::uint32_t>> joints;
-    std::vector<std::vector<float>> weights;
-    std::vector<bool> is_float;
-    std::size_t count = 0;
-};
-
-std::optional<Influences> read_influences(const Asset& asset, const Json& primitive) {
-    Influences out;
-    for (std::size_t set = 0; set < 8; ++set) {
-        const Accessor* const j =
-            sound_accessor(asset, find_path(primitive, fmt::format("attributes/JOINTS_{}", set)));
-        const Accessor* const w =
-            sound_accessor(asset, find_path(primitive, fmt::format("attributes/WEIGHTS_{}", set)));
-        if (j == nullptr || w == nullptr || j->components != 4 || w->components != 4 ||
-            j->count != w->count)
-            break;
-        if (set > 0 && j->count != out.count) break;
-        out.count = j->count;
-        out.joints.push_back(read_unsigned(*j));
-        out.weights.push_back(read_floats(*w));
-        out.is_float.push_back(w->component == Component::f32);
-        if (out.joints.back().empty()) return std::nullopt;
-    }
-    if (out.joints.empty()) return std::nullopt;
-    return out;
-}
-
-/// One vertex; false where enough was said.
-void check_vertex(const Influences& in, std::size_t v, std::size_t joint_count,
-                  const std::string& where, Problems& problems) {
-    std::set<std::uint32_t> used;
-    double sum = 0;
-    for (std::size_t i = 0; i < in.joints.size() * 4; ++i) {
-        const std::uint32_t joint = in.joints[i / 4][v * 4 + i % 4];
-        const float weight = in.weights[i / 4][v * 4 + i % 4];
-        const std::string set = std::to_string(i / 4);
-        sum += std::fmax(static_cast<double>(weight), 0.0);
-        if (weight < 0.0F)
-            problems.error("ACCESSOR_WEIGHTS_NEGATIVE", where + "/attributes/WEIGHTS_" + set,
-                           "joint weight is negative", fmt::format("{} of vertex {}", weight, v));
-        if (joint >= joint_count)
-            problems.error("ACCESSOR_JOINTS_INDEX_OOB", where + "/attributes/JOINTS_" + set,
-                           "joint index out of range",
-                           fmt::format("{} of vertex {}, but there are {}", joint, v, joint_count));
-        else if (weight == 0.0F && joint != 0)
-            problems.note(Severity::warning, "ACCESSOR_JOINTS_USED_ZERO_WEIGHT",
-                          where + "/attributes/JOINTS_" + set, "joint without weight is not 0",
-                          fmt::format("{} of vertex {}", joint, v));
-        else if (weight != 0.0F && !used.insert(joint).second)
-            problems.error("ACCESSOR_JOINTS_INDEX_DUPLICATE", where + "/attributes/JOINTS_" + set,
-                           "joint twice at one vertex", fmt::format("{} of vertex {}", joint, v));
-    }
-    const double slack = in.is_float[0]
-                             ? sum_tolerance * static_cast<double>(in.joints.size() * 4) + 1e-6
-                             : 4.0 / 255.0;
-    if (std::fabs(sum - 1.0) > slack)
-        problems.error("ACCESSOR_WEIGHTS_NON_NORMALIZED", where + "/attributes/WEIGHTS_0",
-                       "joint weights do not sum to 1", fmt::format("{} at vertex {}", sum, v));
-}
-
-/// Joints of the smallest skin that a mesh is used with; all there could be where it has none.
-std::size_t joint_count_of(const Json& json, std::size_t mesh) {
-    std::size_t count = std::numeric_limits<std::size_t>::max();
+/// By mesh: joints of the smallest skin that it is used with; all there could be where it has none.
+std::vector<std::size_t> joint_counts(const Json& json) {
+    std::vector<std::size_t> counts(count_at(json, "meshes"),
+                                    std::numeric_limits<std::size_t>::max());
     for (std::size_t n = 0; n < count_at(json, "nodes"); ++n) {
         const Json& node = *element_at(json, "nodes", n);
+        const auto mesh = index_at(node, "mesh");
         const auto skin = index_at(node, "skin");
-        if (index_at(node, "mesh") != mesh || !skin || *skin >= count_at(json, "skins")) continue;
+        if (!mesh || *mesh >= counts.size() || !skin || *skin >= count_at(json, "skins")) continue;
         if (const std::size_t joints = count_at(*element_at(json, "skins", *skin), "joints");
             joints > 0)
-            count = std::min(count, joints);
+            counts[*mesh] = std::min(counts[*mesh], joints);
     }
-    return count;
+    return counts;
 }
 
-void check_influences(const Asset& asset, const Json& primitive, std::size_t joint_count,
-                      const std::string& where, Problems& problems) {
-    const auto influences = read_influences(asset, primitive);
-    if (!influences) return;
-    const std::size_t before = problems.error_count();
-    for (std::size_t v = 0; v < influences->count && problems.error_count() < before + 20; ++v)
-        check_vertex(*influences, v, joint_count, where, problems);
+void check_attributes(const Asset& asset, const Json& attributes, const std::string& where,
+                      Problems& problems, Done& done) {
+    for (const auto& [name, value] : attributes.items()) {
+        const auto parsed = parse_attribute(name);
+        const Accessor* const accessor = sound_accessor(asset, &value);
+        if (!parsed || accessor == nullptr) continue;
+        if (done.insert(fmt::format("{} {}", parsed->semantic, value.dump())).second)
+            check_attribute(*accessor, parsed->semantic, where + "/attributes/" + name, problems);
+    }
 }
 
 }  // namespace
@@ -197,23 +145,18 @@ const Accessor* sound_accessor(const Asset& asset, const Json* index) {
 }
 
 void check_primitive_elements(const Asset& asset, Problems& problems) {
+    const std::vector<std::size_t> counts = joint_counts(asset.json);
+    Done done;
     for (std::size_t m = 0; m < count_at(asset.json, "meshes"); ++m) {
         const Json& mesh = *element_at(asset.json, "meshes", m);
-        const std::size_t joint_count = joint_count_of(asset.json, m);
         for (std::size_t p = 0; p < count_at(mesh, "primitives"); ++p) {
             const Json& primitive = *element_at(mesh, "primitives", p);
-            const std::string where = fmt::format("/meshes/{}/primitives/{}", m, p);
-            check_indices(asset, primitive, where, problems);
-            check_influences(asset, primitive, joint_count, where, problems);
             const Json* const attributes = find(primitive, "attributes");
             if (attributes == nullptr || !attributes->is_object()) continue;
-            for (const auto& [name, value] : attributes->items()) {
-                const auto parsed = parse_attribute(name);
-                const Accessor* const accessor = sound_accessor(asset, &value);
-                if (parsed && accessor != nullptr)
-                    check_attribute(*accessor, parsed->semantic, where + "/attributes/" + name,
-                                    problems);
-            }
+            const std::string where = fmt::format("/meshes/{}/primitives/{}", m, p);
+            check_indices(asset, primitive, where, problems, done);
+            check_influences(asset, primitive, counts[m], where, problems, done);
+            check_attributes(asset, *attributes, where, problems, done);
         }
     }
 }

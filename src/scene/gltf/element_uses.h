@@ -5,6 +5,9 @@
 #include "scene/gltf/asset.h"
 #include "scene/gltf/problems.h"
 
+#include <set>
+#include <string>
+
 namespace facet::scene::gltf {
 
 /// The accessor that `index` names, where it has elements to look at.
@@ -15,6 +18,12 @@ inline constexpr std::size_t most_told = 3;
 /// Of the validator, which allows for 8-bit normals.
 inline constexpr double unit_tolerance = 0.00769;
 
+/// What was looked at already: primitives may share accessors without end.
+using Done = std::set<std::string>;
+
+/// Joints and weights of the primitive at `where`.
+void check_influences(const Asset& asset, const Json& primitive, std::size_t joint_count,
+                      const std::string& where, Problems& problems, Done& done);
 /// Indices, unit vectors, colors, joints and weights of every primitive.
 void check_primitive_elements(const Asset& asset, Problems& problems);
 /// Last rows of inverse bind matrices.

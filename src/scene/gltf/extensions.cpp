@@ -77,6 +77,8 @@ base::Status check_implemented(const Json& json, const LoadOptions& options,
     for (std::size_t i = 0; i < count_at(json, "extensionsUsed"); ++i) {
         const Json& name = *element_at(json, "extensionsUsed", i);
         if (!name.is_string() || is_implemented(name.get<std::string>())) continue;
+        constexpr std::size_t most = 100;
+        if (warnings.size() >= most) break;
         const std::string text = name.get<std::string>();
         warnings.push_back(
             {.file = {},

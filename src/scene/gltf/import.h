@@ -49,8 +49,11 @@ struct Import {
         asset.memory_left -= bytes;
         return {};
     }
+    /// One more warning, up to a number that nobody reads.
     void warn(std::string where, std::string what, std::string found = {},
               std::string remedy = {}) {
+        constexpr std::size_t most = 1000;
+        if (warnings.size() >= most) return;
         warnings.push_back({.file = {},
                             .where = std::move(where),
                             .what = std::move(what),

@@ -12,15 +12,12 @@
 namespace facet::scene::gltf {
 namespace {
 
-/// A textureInfo of a material, wherever it stands.
-struct Binding {
-    std::string path;
-    std::uint64_t set = 0;
-};
+constexpr std::size_t max_bindings = 64;  // more than all extensions together have
 
 void collect(const Json& object, const std::string& path, std::vector<Binding>& out) {
     if (!object.is_object()) return;
     for (const auto& [name, value] : object.items()) {
+        if (out.size() >= max_bindings) return;
         const std::string here = path + "/" + name;
         if (name.ends_with("Texture") && find(value, "index") != nullptr) {
             Binding binding{.path = here, .set = unsigned_at(value, "texCoord").value_or(0)};
@@ -45,34 +42,53 @@ std::size_t set_count(const Json& attributes) {
     return count;
 }
 
-void check_coordinates(const Json& material, const std::string& pointer, const Json& attributes,
-                       const std::string& where, Problems& problems) {
-    std::vector<Binding> bindings;
-    collect(material, pointer, bindings);
+void check_coordinates(const MaterialNeeds& needs, const Json& attributes, const std::string& where,
+                       Problems& problems) {
     const std::size_t count = set_count(attributes);
-    for (const Binding& binding : bindings)
+    for (const Binding& binding : needs.bindings)
         if (binding.set >= count)
             problems.error("MESH_PRIMITIVE_TOO_FEW_TEXCOORDS", where + "/material",
                            "the primitive lacks texture coordinates of its material",
                            fmt::format("{} needs TEXCOORD_{}", binding.path, binding.set));
 }
 
-void check_tangents(const Json& material, const Json& primitive, const Json& attributes,
+void check_tangents(const MaterialNeeds& needs, const Json& primitive, const Json& attributes,
                     const std::string& where, Problems& problems) {
-    const auto mode = unsigned_at(primitive, "mode").value_or(4);
-    if (mode < 4) return;
+    if (unsigned_at(primitive, "mode").value_or(4) < 4) return;
     if (attributes.contains("TANGENT") && attributes.contains("NORMAL")) return;
-    const bool has_normal_map = find(material, "normalTexture") != nullptr;
-    const bool needs_more =
-        find_path(material, "extensions/KHR_materials_anisotropy") != nullptr ||
-        find_path(material, "extensions/KHR_materials_clearcoat/clearcoatNormalTexture") != nullptr;
-    if (has_normal_map)
+    if (needs.has_normal_map)
         problems.note(Severity::warning, "MESH_PRIMITIVE_GENERATED_TANGENT_SPACE",
                       where + "/material", "tangents will be computed");
-    else if (needs_more)
+    else if (needs.has_tangent_lobes)
         problems.error(
             "MESH_PRIMITIVE_NO_TANGENT_SPACE", where + "/material",
             "the material needs tangents, but there are none and no normal map to make them for");
+}
+
+}  // namespace
+
+std::vector<MaterialNeeds> read_material_needs(const Json& json) {
+    std::vector<MaterialNeeds> out(count_at(json, "materials"));
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        const Json& material = *element_at(json, "materials", i);
+        collect(material, pointer_text("materials", i), out[i].bindings);
+        out[i].has_normal_map = find(material, "normalTexture") != nullptr;
+        out[i].has_tangent_lobes =
+            find_path(material, "extensions/KHR_materials_anisotropy") != nullptr ||
+            find_path(material, "extensions/KHR_materials_clearcoat/clearcoatNormalTexture") !=
+                nullptr;
+    }
+    return out;
+}
+
+void check_material_needs(const std::vector<MaterialNeeds>& needs, const Json& primitive,
+                          const std::string& where, Problems& problems) {
+    const auto index = index_at(primitive, "material");
+    const Json* const attributes = find(primitive, "attributes");
+    if (!index || *index >= needs.size() || attributes == nullptr || !attributes->is_object())
+        return;
+    check_coordinates(needs[*index], *attributes, where, problems);
+    check_tangents(needs[*index], primitive, *attributes, where, problems);
 }
 
 void check_mappings(const Json& json, const Json& primitive, const std::string& where,
@@ -95,21 +111,6 @@ void check_mappings(const Json& json, const Json& primitive, const std::string& 
                                "variant is mapped twice", std::to_string(*variant));
         }
     }
-}
-
-}  // namespace
-
-void check_material_needs(const Json& json, const Json& primitive, const std::string& where,
-                          Problems& problems) {
-    check_mappings(json, primitive, where, problems);
-    const auto index = index_at(primitive, "material");
-    const Json* const material = index ? element_at(json, "materials", *index) : nullptr;
-    const Json* const attributes = find(primitive, "attributes");
-    if (material == nullptr || !material->is_object() || attributes == nullptr ||
-        !attributes->is_object())
-        return;
-    check_coordinates(*material, pointer_text("materials", *index), *attributes, where, problems);
-    check_tangents(*material, primitive, *attributes, where, problems);
 }
 
 }  // namespace facet::scene::gltf

@@ -22,8 +22,8 @@ struct Streams {
 /// What differs between two uses of one primitive.
 struct Pose {
     std::vector<double> morph_weights;
-    std::vector<Mat4> joints;  ///< world_from_bind of each joint; empty: no skin
-    bool is_mirrored = false;  ///< will be placed by a matrix of negative determinant
+    std::span<const Mat4> joints;  ///< world_from_bind of each joint; empty: no skin
+    bool is_mirrored = false;      ///< will be placed by a matrix of negative determinant
 };
 
 /// Attributes of `primitive`, decoded. Errors: those of the elements (NaN positions, counts that
