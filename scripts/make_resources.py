@@ -1,14 +1,20 @@
 #!/usr/bin/env python3
-# Makes resources/scenes/*.glb from nothing: python3 scripts/make_resources.py [NAME...]. Same bytes on every run.
+# Makes resources/scenes/*.glb from nothing, the same bytes on every run: make_resources.py NAME...
 # SPDX-License-Identifier: MIT
-# Needs Debian's python3-numpy and python3-pil; what it makes is committed, so a build needs neither.
+# Needs Debian's python3-numpy and python3-pil; what it makes is committed, so a build needs
+# neither.
 import sys
 from pathlib import Path
 
-from make_resources import check, grids, showcase
+from make_resources import check, cornell, grids, showcase
 
 COPYRIGHT = "CC0-1.0, the Facet project"
-SCENES = {"showcase": showcase.build, "spheres": grids.spheres, "cornell": grids.cornell, "furnace": grids.furnace}
+SCENES = {
+    "showcase": showcase.build,
+    "spheres": grids.spheres,
+    "cornell": cornell.build,
+    "furnace": grids.furnace,
+}
 
 
 def main(names):

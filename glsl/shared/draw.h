@@ -1,10 +1,11 @@
 // What a draw of one instance knows: std140, the same text for GLSL and C++.
+// SPDX-License-Identifier: MIT
 struct Draw {
     mat4 world_from_object;
-    mat4 normal_from_object;             // cofactors of the above, 3x3 in the upper left
+    mat4 normal_from_object;  // cofactors of the above, 3x3 in the upper left
     vec4 base_color_opacity;
-    vec4 metallic_roughness_normal_ao;   // factors; z: normal scale, w: occlusion strength
-    vec4 emissive_nit_cutoff;            // rgb: radiance in nit; w: alpha cutoff
-    vec4 uv_rows[10];                    // two a texture slot: u' = dot(row.xyz, (u, v, 1)), w: UV set
-    uvec4 ids;                           // object, material, 1 where unlit, unused
+    vec4 metallic_roughness_normal_ao;  // factors; z: normal scale, w: occlusion strength
+    vec4 emissive_nit_cutoff;           // rgb: radiance in nit; w: alpha cutoff
+    vec4 uv_rows[10];  // two a texture slot: u' = dot(row.xyz, (u, v, 1)), w: UV set
+    uvec4 ids;         // object, material, 1 where unlit, unused
 };

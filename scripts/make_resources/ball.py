@@ -1,4 +1,4 @@
-# The material ball: a sphere with a raised band between two grooves and a sunk cap, on a turned foot.
+# The material ball: a sphere with a raised band, two grooves and a sunk cap, on a turned foot.
 # SPDX-License-Identifier: MIT
 import numpy as np
 
@@ -7,10 +7,10 @@ from .noise import smoothstep
 from .occlusion import cosine_rays
 
 RADIUS_M = 0.1
-CENTER_M = 0.124          # of the ball above its plinth
-CAP_DEG, TAIL_DEG = 19.5, 150.0   # where the strip chart hands over to the two disc charts
+CENTER_M = 0.124  # of the ball above its plinth
+CAP_DEG, TAIL_DEG = 19.5, 150.0  # where the strip chart hands over to the two disc charts
 STRIP_SHARE = 704 / 1024  # of the atlas' height; the discs share the rest
-DISC_DEG = 33.0           # angle from the pole at the disc charts' edge
+DISC_DEG = 33.0  # angle from the pole at the disc charts' edge
 
 
 def relief(theta_deg):
@@ -27,7 +27,8 @@ def relief(theta_deg):
 
 
 class Profile:
-    """The relief's curve, finely sampled: points and normals [n, 2] as (radius, height), arc length from the pole."""
+    """The relief's curve, finely sampled: points and normals [n, 2] as (radius, height), arc length
+    from the pole."""
 
     def __init__(self, samples=6000):
         self.theta = np.linspace(0, 180, samples)
@@ -38,26 +39,41 @@ class Profile:
         self.normals = np.stack([-d[:, 1], d[:, 0]], 1)
         self.normals[0], self.normals[-1] = (0, 1), (0, -1)
         self.normals /= np.linalg.norm(self.normals, axis=1, keepdims=True)
-        self.arc = np.concatenate([[0], np.cumsum(np.linalg.norm(np.diff(self.points, axis=0), axis=1))])
-        blurred = np.convolve(np.pad(relief(self.theta), 150, "edge"), np.hanning(301) / np.hanning(301).sum(), "valid")
+        self.arc = np.concatenate(
+            [[0], np.cumsum(np.linalg.norm(np.diff(self.points, axis=0), axis=1))]
+        )
+        blurred = np.convolve(
+            np.pad(relief(self.theta), 150, "edge"),
+            np.hanning(301) / np.hanning(301).sum(),
+            "valid",
+        )
         turn = np.unwrap(np.arctan2(self.normals[:, 1], self.normals[:, 0]))
         self.curvature = np.abs(np.gradient(turn) / np.gradient(self.arc))  # 1 on a sphere
-        self.edge = relief(self.theta) - blurred  # positive on what sticks out, negative in what is sunk
+        self.edge = (
+            relief(self.theta) - blurred
+        )  # positive on what sticks out, negative in what is sunk
         self.visible = self._visibility()
 
     def _visibility(self, rays=512, steps=96):
-        """What the relief leaves of the hemisphere, by angle; a ray that dips below the relief is blocked."""
+        """What the relief leaves of the hemisphere, by angle; a ray that dips below the relief is
+        blocked."""
         pick = np.arange(0, len(self.theta), 6)
         p = np.stack([self.points[pick, 0], self.points[pick, 1], 0 * pick], 1)
         n = np.stack([self.normals[pick, 0], self.normals[pick, 1], 0 * pick], 1)
         t = np.stack([-n[:, 1], n[:, 0], n[:, 2]], 1)
         local = cosine_rays(rays)
-        d = local[None, :, :1] * t[:, None] + local[None, :, 1:2] * np.float32([0, 0, 1]) + local[None, :, 2:] * n[:, None]
+        d = (
+            local[None, :, :1] * t[:, None]
+            + local[None, :, 1:2] * np.float32([0, 0, 1])
+            + local[None, :, 2:] * n[:, None]
+        )
         hit = np.zeros(d.shape[:2], bool)
         for s in np.geomspace(0.004, 0.5, steps):
             q = (p + n * 0.002)[:, None] + d * s
             r = np.linalg.norm(q, axis=-1)
-            hit |= r < 1 + np.interp(np.degrees(np.arccos(np.clip(q[..., 1] / r, -1, 1))), self.theta, relief(self.theta))
+            hit |= r < 1 + np.interp(
+                np.degrees(np.arccos(np.clip(q[..., 1] / r, -1, 1))), self.theta, relief(self.theta)
+            )
         return np.interp(np.arange(len(self.theta)), pick, 1 - hit.mean(1))
 
     def at(self, theta_deg, values):
@@ -85,8 +101,12 @@ def strip_v(profile, theta):
 
 def surface(profile, segments=80):
     """The unit ball about +y, with atlas coordinates and tangents."""
+
     def part(theta, v):
-        at = [np.stack([profile.at(theta, a[:, i]) for i in (0, 1)], 1) for a in (profile.points, profile.normals)]
+        at = [
+            np.stack([profile.at(theta, a[:, i]) for i in (0, 1)], 1)
+            for a in (profile.points, profile.normals)
+        ]
         return shapes.lathe(at[0], shapes.unit(at[1]), segments, v)
 
     pieces = []
@@ -97,14 +117,17 @@ def surface(profile, segments=80):
         middle, radius = disc_center(which)
         ring = np.abs(piece.uv0[:, 1] - 180 * which) / DISC_DEG * radius
         angle = piece.uv0[:, 0] * 2 * np.pi
-        piece.uv0 = middle + ring[:, None] * np.stack([np.sin(angle), np.cos(angle) * (1 - 2 * which)], 1)
+        piece.uv0 = middle + ring[:, None] * np.stack(
+            [np.sin(angle), np.cos(angle) * (1 - 2 * which)], 1
+        )
         pieces.append(piece)
     return shapes.joined([shapes.with_tangents(p) for p in pieces])
 
 
 class Atlas:
-    """The ball's surface by texel: `p` [size, size, 3] on the relief, `n` its normals, `theta` in degrees, and the
-    size of a texel along u and v in ball radii. Texels outside every chart continue their chart."""
+    """The ball's surface by texel: `p` [size, size, 3] on the relief, `n` its normals, `theta` in
+    degrees, and the size of a texel along u and v in ball radii. Texels outside every chart
+    continue their chart."""
 
     def __init__(self, profile, size):
         self.profile, self.size = profile, size
@@ -114,17 +137,25 @@ class Atlas:
         v_of_theta = strip_v(profile, profile.theta)
         theta, phi = np.interp(v, v_of_theta, profile.theta), u * 2 * np.pi
         step_u = 2 * np.pi * np.interp(theta, profile.theta, profile.points[:, 0]) / size
-        texel = (profile.at(TAIL_DEG, profile.arc) - profile.at(CAP_DEG, profile.arc)) / (0.99 * STRIP_SHARE * size)
+        texel = (profile.at(TAIL_DEG, profile.arc) - profile.at(CAP_DEG, profile.arc)) / (
+            0.99 * STRIP_SHARE * size
+        )
         self.discs = []
         for which in (0, 1):
             middle, radius = disc_center(which)
-            here = ~self.strip & ((u < (1 - STRIP_SHARE)) if which == 0 else (u >= (1 - STRIP_SHARE)))
+            here = ~self.strip & (
+                (u < (1 - STRIP_SHARE)) if which == 0 else (u >= (1 - STRIP_SHARE))
+            )
             x, z = (u - middle[0]) / radius, (v - middle[1]) / radius * (1 - 2 * which)
             angle = np.minimum(np.hypot(x, z), 1.5) * DISC_DEG
-            theta, phi = np.where(here, abs(180 * which - angle), theta), np.where(here, np.arctan2(x, z), phi)
+            theta, phi = np.where(here, abs(180 * which - angle), theta), np.where(
+                here, np.arctan2(x, z), phi
+            )
             self.discs.append(here)
         disc_texel = np.radians(DISC_DEG) / (disc_center(0)[1] * size)
-        self.step_u, self.step_v = np.where(self.strip, step_u, disc_texel), np.where(self.strip, texel, disc_texel)
+        self.step_u, self.step_v = np.where(self.strip, step_u, disc_texel), np.where(
+            self.strip, texel, disc_texel
+        )
         self.theta, self.phi = theta.astype(np.float32), phi.astype(np.float32)
         r, h = (profile.at(theta, profile.points[:, i]) for i in (0, 1))
         nr, nh = (profile.at(theta, profile.normals[:, i]) for i in (0, 1))
@@ -145,11 +176,29 @@ class Atlas:
 
 
 def foot():
-    """The foot about +y in ball radii, standing at -CENTER: surface with uv0 = (around, down the profile)."""
+    """The foot about +y in ball radii, standing at -CENTER: surface with uv0 = (around, down the
+    profile)."""
     bottom = -CENTER_M / RADIUS_M
-    key = np.array([[0.34, -0.90], [0.47, -0.865], [0.505, -0.875], [0.515, -0.90], [0.50, -0.925], [0.45, -0.95],
-                    [0.415, -0.99], [0.405, -1.03], [0.42, -1.075], [0.47, -1.115], [0.56, -1.145], [0.615, -1.16],
-                    [0.635, -1.18], [0.64, -1.20], [0.635, bottom + 0.012], [0.62, bottom]])
+    key = np.array(
+        [
+            [0.34, -0.90],
+            [0.47, -0.865],
+            [0.505, -0.875],
+            [0.515, -0.90],
+            [0.50, -0.925],
+            [0.45, -0.95],
+            [0.415, -0.99],
+            [0.405, -1.03],
+            [0.42, -1.075],
+            [0.47, -1.115],
+            [0.56, -1.145],
+            [0.615, -1.16],
+            [0.635, -1.18],
+            [0.64, -1.20],
+            [0.635, bottom + 0.012],
+            [0.62, bottom],
+        ]
+    )
     d = np.gradient(key, axis=0)
     normals = shapes.unit(np.stack([-d[:, 1], d[:, 0]], 1))
     arc = np.concatenate([[0], np.cumsum(np.linalg.norm(np.diff(key, axis=0), axis=1))])

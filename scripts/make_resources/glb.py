@@ -1,4 +1,4 @@
-# Writes glTF 2.0 binaries: collects buffer data, images, materials, meshes and nodes, and packs them into one .glb.
+# Writes glTF 2.0 binaries: collects data, images, materials, meshes and nodes, and packs them.
 # SPDX-License-Identifier: MIT
 import io
 import json
@@ -17,8 +17,13 @@ class Glb:
     """One file in the making. Every add_* returns the index that others refer to."""
 
     def __init__(self, copyright_line):
-        self.json = {"asset": {"version": "2.0", "generator": "facet make_resources.py",
-                               "copyright": copyright_line}}
+        self.json = {
+            "asset": {
+                "version": "2.0",
+                "generator": "facet make_resources.py",
+                "copyright": copyright_line,
+            }
+        }
         self.blob = bytearray()
         self.roots = []
 
@@ -44,8 +49,12 @@ class Glb:
     def add_attribute(self, array, with_bounds=False):
         """float32 [count, 2..4]. Bounds are those of the float32 values, as POSITION asks for."""
         array = np.ascontiguousarray(array, "<f4")
-        accessor = {"bufferView": self.add_view(array.tobytes(), ARRAY_BUFFER), "componentType": FLOAT,
-                    "count": len(array), "type": KINDS[array.shape[1]]}
+        accessor = {
+            "bufferView": self.add_view(array.tobytes(), ARRAY_BUFFER),
+            "componentType": FLOAT,
+            "count": len(array),
+            "type": KINDS[array.shape[1]],
+        }
         if with_bounds:
             accessor["min"] = [float(x) for x in array.min(0)]
             accessor["max"] = [float(x) for x in array.max(0)]
@@ -55,39 +64,67 @@ class Glb:
         indices = np.asarray(indices).reshape(-1)
         small = vertex_count < 65535  # 65535 itself would restart the primitive
         data = np.ascontiguousarray(indices, "<u2" if small else "<u4").tobytes()
-        return self._append("accessors", {
-            "bufferView": self.add_view(data, ELEMENT_ARRAY_BUFFER), "count": len(indices), "type": "SCALAR",
-            "componentType": UINT16 if small else UINT32})
+        return self._append(
+            "accessors",
+            {
+                "bufferView": self.add_view(data, ELEMENT_ARRAY_BUFFER),
+                "count": len(indices),
+                "type": "SCALAR",
+                "componentType": UINT16 if small else UINT32,
+            },
+        )
 
     def add_geometry(self, surface):
         """A shapes.Surface as a primitive without material; several meshes may share it."""
-        attributes = {"POSITION": self.add_attribute(surface.positions, with_bounds=True),
-                      "NORMAL": self.add_attribute(surface.normals)}
+        attributes = {
+            "POSITION": self.add_attribute(surface.positions, with_bounds=True),
+            "NORMAL": self.add_attribute(surface.normals),
+        }
         if surface.tangents is not None:
             attributes["TANGENT"] = self.add_attribute(surface.tangents)
         if surface.uv0 is not None:
             attributes["TEXCOORD_0"] = self.add_attribute(surface.uv0)
         if surface.uv1 is not None:
             attributes["TEXCOORD_1"] = self.add_attribute(surface.uv1)
-        return {"attributes": attributes, "indices": self.add_indices(surface.indices, len(surface.positions))}
+        return {
+            "attributes": attributes,
+            "indices": self.add_indices(surface.indices, len(surface.positions)),
+        }
 
     def add_mesh(self, name, geometry, material):
-        return self._append("meshes", {"name": name, "primitives": [dict(geometry, material=material)]})
+        return self._append(
+            "meshes", {"name": name, "primitives": [dict(geometry, material=material)]}
+        )
 
     def add_texture(self, name, pixels, jpeg_quality=None, wrap=REPEAT):
         """u8 [height, width] or [height, width, 3]; PNG, or JPEG without chroma subsampling."""
         data = io.BytesIO()
         if jpeg_quality:
-            Image.fromarray(pixels).save(data, "JPEG", quality=jpeg_quality, subsampling=0, optimize=True)
+            Image.fromarray(pixels).save(
+                data, "JPEG", quality=jpeg_quality, subsampling=0, optimize=True
+            )
         else:
             Image.fromarray(pixels).save(data, "PNG", optimize=True)
-        image = self._append("images", {"name": name, "bufferView": self.add_view(data.getvalue()),
-                                        "mimeType": "image/jpeg" if jpeg_quality else "image/png"})
-        sampler = {"magFilter": LINEAR, "minFilter": LINEAR_MIPMAP_LINEAR, "wrapS": wrap, "wrapT": wrap}
+        image = self._append(
+            "images",
+            {
+                "name": name,
+                "bufferView": self.add_view(data.getvalue()),
+                "mimeType": "image/jpeg" if jpeg_quality else "image/png",
+            },
+        )
+        sampler = {
+            "magFilter": LINEAR,
+            "minFilter": LINEAR_MIPMAP_LINEAR,
+            "wrapS": wrap,
+            "wrapT": wrap,
+        }
         samplers = self.json.setdefault("samplers", [])
         if sampler not in samplers:
             samplers.append(sampler)
-        return self._append("textures", {"name": name, "source": image, "sampler": samplers.index(sampler)})
+        return self._append(
+            "textures", {"name": name, "source": image, "sampler": samplers.index(sampler)}
+        )
 
     def texture_ref(self, texture, uv_set=0, transform=None, **more):
         """What a material slot holds. `transform` is KHR_texture_transform's object."""
@@ -99,11 +136,24 @@ class Glb:
             ref["extensions"] = {"KHR_texture_transform": transform}
         return ref
 
-    def add_material(self, name, base=(1, 1, 1), metallic=0.0, roughness=1.0, base_map=None, orm_map=None,
-                     normal_map=None, occlusion_map=None, emissive_nit=None):
+    def add_material(
+        self,
+        name,
+        base=(1, 1, 1),
+        metallic=0.0,
+        roughness=1.0,
+        base_map=None,
+        orm_map=None,
+        normal_map=None,
+        occlusion_map=None,
+        emissive_nit=None,
+    ):
         """Maps are texture_ref objects. `emissive_nit` is linear RGB radiance."""
-        surface = {"baseColorFactor": [*map(float, base), 1.0], "metallicFactor": float(metallic),
-                   "roughnessFactor": float(roughness)}
+        surface = {
+            "baseColorFactor": [*map(float, base), 1.0],
+            "metallicFactor": float(metallic),
+            "roughnessFactor": float(roughness),
+        }
         material = {"name": name, "pbrMetallicRoughness": surface}
         if base_map:
             surface["baseColorTexture"] = base_map
@@ -127,17 +177,34 @@ class Glb:
         return index
 
     def add_camera(self, name, eye, target, yfov_deg, aspect=16 / 9, near=0.05, far=100.0):
-        camera = self._append("cameras", {"name": name, "type": "perspective", "perspective": {
-            "yfov": float(np.radians(yfov_deg)), "aspectRatio": aspect, "znear": near, "zfar": far}})
-        return self.add_node(name, camera=camera, translation=[float(x) for x in eye],
-                             rotation=look_at(eye, target))
+        camera = self._append(
+            "cameras",
+            {
+                "name": name,
+                "type": "perspective",
+                "perspective": {
+                    "yfov": float(np.radians(yfov_deg)),
+                    "aspectRatio": aspect,
+                    "znear": near,
+                    "zfar": far,
+                },
+            },
+        )
+        return self.add_node(
+            name, camera=camera, translation=[float(x) for x in eye], rotation=look_at(eye, target)
+        )
 
     def add_point_light(self, name, position, candela, color=(1, 1, 1)):
         self._use("KHR_lights_punctual")
-        lights = self.json.setdefault("extensions", {}).setdefault("KHR_lights_punctual", {"lights": []})["lights"]
+        lights = self.json.setdefault("extensions", {}).setdefault(
+            "KHR_lights_punctual", {"lights": []}
+        )["lights"]
         lights.append({"name": name, "type": "point", "color": list(color), "intensity": candela})
-        return self.add_node(name, translation=list(position),
-                             extensions={"KHR_lights_punctual": {"light": len(lights) - 1}})
+        return self.add_node(
+            name,
+            translation=list(position),
+            extensions={"KHR_lights_punctual": {"light": len(lights) - 1}},
+        )
 
     def to_bytes(self, scene_name):
         self.json["scene"] = 0
@@ -148,8 +215,13 @@ class Glb:
         text = json.dumps(self.json, separators=(",", ":")).encode()
         text += b" " * (-len(text) % 4)
         length = 12 + 8 + len(text) + 8 + len(self.blob)
-        return (struct.pack("<4sII", b"glTF", 2, length) + struct.pack("<I4s", len(text), b"JSON") + text +
-                struct.pack("<I4s", len(self.blob), b"BIN\0") + bytes(self.blob))
+        return (
+            struct.pack("<4sII", b"glTF", 2, length)
+            + struct.pack("<I4s", len(text), b"JSON")
+            + text
+            + struct.pack("<I4s", len(self.blob), b"BIN\0")
+            + bytes(self.blob)
+        )
 
 
 def look_at(eye, target):

@@ -1,4 +1,4 @@
-# Noise of three dimensions, seeded and without tables: gradient noise, fractal sums and cellular noise.
+# Noise of three dimensions, seeded, without tables: gradient, fractal and cellular.
 # SPDX-License-Identifier: MIT
 import numpy as np
 
@@ -6,8 +6,11 @@ import numpy as np
 def hash3(x, y, z, seed):
     """32 well-mixed bits of three integer coordinates (xxHash's avalanche, Collet 2012)."""
     with np.errstate(over="ignore"):
-        h = (x.astype(np.uint32) * np.uint32(0x9E3779B1) ^ y.astype(np.uint32) * np.uint32(0x85EBCA77)
-             ^ z.astype(np.uint32) * np.uint32(0xC2B2AE3D)) + np.uint32(seed * 0x27D4EB2F & 0xFFFFFFFF)
+        h = (
+            x.astype(np.uint32) * np.uint32(0x9E3779B1)
+            ^ y.astype(np.uint32) * np.uint32(0x85EBCA77)
+            ^ z.astype(np.uint32) * np.uint32(0xC2B2AE3D)
+        ) + np.uint32(seed * 0x27D4EB2F & 0xFFFFFFFF)
         h = (h ^ (h >> np.uint32(15))) * np.uint32(0x85EBCA77)
         h = (h ^ (h >> np.uint32(13))) * np.uint32(0xC2B2AE3D)
         return h ^ (h >> np.uint32(16))
@@ -22,8 +25,8 @@ def wrapped(cell, period):
 
 
 def perlin(p, seed, period=None):
-    """Gradient noise in about -1..1 (Perlin 2002, "Improving Noise"). p is [..., 3]; `period` (integer) makes
-    it repeat along every axis."""
+    """Gradient noise in about -1..1 (Perlin 2002, "Improving Noise"). p is [..., 3]; `period`
+    (integer) makes it repeat along every axis."""
     p = np.asarray(p, np.float32)
     cell = np.floor(p).astype(np.int64)
     f = p - cell.astype(np.float32)
@@ -33,9 +36,12 @@ def perlin(p, seed, period=None):
         c = wrapped(cell + np.array(corner), period)
         bits = hash3(c[..., 0], c[..., 1], c[..., 2], seed)
         d = f - np.array(corner, np.float32)
-        # A gradient of three independent bytes; not unit length, which only varies the contrast a little.
-        dot = sum(d[..., i] * ((bits >> np.uint32(8 * i) & np.uint32(255)).astype(np.float32) / 127.5 - 1)
-                  for i in range(3))
+        # A gradient of three independent bytes; not unit length, which only varies the contrast a
+        # little.
+        dot = sum(
+            d[..., i] * ((bits >> np.uint32(8 * i) & np.uint32(255)).astype(np.float32) / 127.5 - 1)
+            for i in range(3)
+        )
         weight = np.ones_like(total)
         for i in range(3):
             weight *= fade[..., i] if corner[i] else 1 - fade[..., i]
@@ -49,15 +55,17 @@ def fbm(p, seed, octaves=5, gain=0.5, period=None):
     total, amplitude, norm = 0, 1.0, 0.0
     for octave in range(octaves):
         scale = 1 << octave
-        total = total + amplitude * perlin(p * scale, seed + octave * 101, period and period * scale)
+        total = total + amplitude * perlin(
+            p * scale, seed + octave * 101, period and period * scale
+        )
         norm += amplitude
         amplitude *= gain
     return total / norm
 
 
 def worley(p, seed, period=None):
-    """Cellular noise (Worley 1996): distances to the nearest and the second nearest feature point, and a random
-    number 0..1 of the nearest one's cell. One point a cell of side 1."""
+    """Cellular noise (Worley 1996): distances to the nearest and the second nearest feature point,
+    and a random number 0..1 of the nearest one's cell. One point a cell of side 1."""
     p = np.asarray(p, np.float32)
     cell = np.floor(p).astype(np.int64)
     near = np.full(p.shape[:-1], 9.0, np.float32)
@@ -71,7 +79,9 @@ def worley(p, seed, period=None):
             d2 += (c[..., i].astype(np.float32) + jitter - p[..., i]) ** 2
         closer = d2 < near
         second = np.where(closer, near, np.minimum(second, d2))
-        owner = np.where(closer, unit_float(hash3(h[..., 0], h[..., 1], h[..., 2], seed + 71)), owner)
+        owner = np.where(
+            closer, unit_float(hash3(h[..., 0], h[..., 1], h[..., 2], seed + 71)), owner
+        )
         near = np.minimum(near, d2)
     return np.sqrt(near), np.sqrt(second), owner
 
@@ -82,7 +92,8 @@ def smoothstep(low, high, x):
 
 
 def tile_points(size, cells):
-    """The texel centres of a size x size tile as points of a plane that repeats every `cells` units."""
+    """The texel centres of a size x size tile as points of a plane that repeats every `cells`
+    units."""
     c = (np.arange(size, dtype=np.float32) + 0.5) / size * cells
     y, x = np.meshgrid(c, c, indexing="ij")
     return np.stack([x, y, np.full_like(x, 0.37)], -1)

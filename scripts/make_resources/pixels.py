@@ -1,4 +1,4 @@
-# From numbers to texels: sRGB encoding, packed occlusion-roughness-metallic maps, normal maps of heights.
+# From numbers to texels: sRGB, packed occlusion-roughness-metallic maps, normal maps.
 # SPDX-License-Identifier: MIT
 import numpy as np
 
@@ -10,7 +10,9 @@ def to_bytes(x):
 def srgb(linear):
     """IEC 61966-2-1 encoding of linear [..., 3], as bytes."""
     x = np.clip(linear, 0, 1)
-    return to_bytes(np.where(x <= 0.0031308, x * 12.92, 1.055 * np.power(np.maximum(x, 1e-9), 1 / 2.4) - 0.055))
+    return to_bytes(
+        np.where(x <= 0.0031308, x * 12.92, 1.055 * np.power(np.maximum(x, 1e-9), 1 / 2.4) - 0.055)
+    )
 
 
 def orm(occlusion, roughness, metallic):
@@ -18,7 +20,8 @@ def orm(occlusion, roughness, metallic):
 
 
 def normal_bytes(slope_u, slope_up):
-    """Tangent-space normal of a height's slopes along +u and towards the top of the image; +Y is up."""
+    """Tangent-space normal of a height's slopes along +u and towards the top of the image; +Y is
+    up."""
     n = np.stack([-slope_u, -slope_up, np.ones_like(slope_u)], -1)
     return to_bytes(n / np.linalg.norm(n, axis=-1, keepdims=True) * 0.5 + 0.5)
 

@@ -1,4 +1,4 @@
-# Triangle surfaces: lathes of a profile, quads, boxes and spheres, with normals, tangents and texture coordinates.
+# Triangle surfaces: lathes, quads and spheres, with normals, tangents and coordinates.
 # SPDX-License-Identifier: MIT
 from dataclasses import dataclass
 from typing import Optional
@@ -8,7 +8,9 @@ import numpy as np
 
 @dataclass
 class Surface:
-    """Arrays of equal length; tangents' w is the handedness, bitangent = w cross(n, t), towards smaller v."""
+    """Arrays of equal length; tangents' w is the handedness, bitangent = w cross(n, t), towards
+    smaller v."""
+
     positions: np.ndarray
     normals: np.ndarray
     indices: np.ndarray
@@ -21,8 +23,14 @@ class Surface:
         tangents = self.tangents
         if tangents is not None:
             tangents = np.concatenate([tangents[:, :3] @ turn.T, tangents[:, 3:]], 1)
-        return Surface(self.positions @ turn.T + np.asarray(offset, float), self.normals @ turn.T, self.indices,
-                       self.uv0, self.uv1, tangents)
+        return Surface(
+            self.positions @ turn.T + np.asarray(offset, float),
+            self.normals @ turn.T,
+            self.indices,
+            self.uv0,
+            self.uv1,
+            tangents,
+        )
 
 
 def joined(surfaces):
@@ -41,27 +49,30 @@ def unit(v):
 
 
 def grid_indices(rows, columns):
-    """Two triangles a cell of a [rows, columns] grid of vertices, counter-clockwise seen with rows going down
-    and columns going right."""
+    """Two triangles a cell of a [rows, columns] grid of vertices, counter-clockwise seen with rows
+    going down and columns going right."""
     i = (np.arange(rows - 1)[:, None] * columns + np.arange(columns - 1)).ravel()
     a, b, c, d = i, i + columns, i + columns + 1, i + 1
     return np.stack([np.stack([a, b, c], 1), np.stack([a, c, d], 1)], 1).reshape(-1, 3)
 
 
 def pruned(surface):
-    """Without the triangles that have no area, such as a lathe has at its poles, and the vertices only they name."""
+    """Without the triangles that have no area, such as a lathe has at its poles, and the vertices
+    only they name."""
     p = surface.positions[surface.indices]
     area = np.linalg.norm(np.cross(p[:, 1] - p[:, 0], p[:, 2] - p[:, 0]), axis=1)
     indices = surface.indices[area > 1e-14]
     used = np.unique(indices)
     renumber = np.zeros(len(surface.positions), int)
     renumber[used] = np.arange(len(used))
-    return Surface(surface.positions[used], surface.normals[used], renumber[indices], surface.uv0[used])
+    return Surface(
+        surface.positions[used], surface.normals[used], renumber[indices], surface.uv0[used]
+    )
 
 
 def with_tangents(surface):
-    """Tangents along +u of uv0 by angle-free averaging over triangles (Lengyel 2001), which equals the exact
-    one on the smooth parametrisations used here."""
+    """Tangents along +u of uv0 by angle-free averaging over triangles (Lengyel 2001), which equals
+    the exact one on the smooth parametrisations used here."""
     p, t = surface.positions[surface.indices], surface.uv0[surface.indices]
     e1, e2 = p[:, 1] - p[:, 0], p[:, 2] - p[:, 0]
     d1, d2 = t[:, 1] - t[:, 0], t[:, 2] - t[:, 0]
@@ -76,7 +87,9 @@ def with_tangents(surface):
     n = surface.normals
     tangent -= n * np.sum(n * tangent, 1, keepdims=True)
     lost = np.linalg.norm(tangent, axis=1) < 1e-6  # a pole, where every direction is as good
-    tangent[lost] = np.cross(n[lost], np.where(np.abs(n[lost, :1]) < 0.9, [[1.0, 0, 0]], [[0, 1.0, 0]]))
+    tangent[lost] = np.cross(
+        n[lost], np.where(np.abs(n[lost, :1]) < 0.9, [[1.0, 0, 0]], [[0, 1.0, 0]])
+    )
     tangent = unit(tangent)
     w = np.where(np.sum(np.cross(n, tangent) * bitangent, 1) < 0, -1.0, 1.0)
     surface.tangents = np.concatenate([tangent, w[:, None]], 1)
@@ -84,15 +97,18 @@ def with_tangents(surface):
 
 
 def lathe(profile, normals, segments, v):
-    """Turns a profile [rows, 2] of (radius, height), walked from top to bottom with the solid on the inner side,
-    about the y axis. u goes once around, v is given by row. The seam's vertices are doubled."""
+    """Turns a profile [rows, 2] of (radius, height), walked from top to bottom with the solid on
+    the inner side, about the y axis. u goes once around, v is given by row. The seam's vertices are
+    doubled."""
     angle = np.linspace(0, 2 * np.pi, segments + 1)
     angle[-1] = 0.0  # the seam closes exactly
     u = np.linspace(0, 1, segments + 1)
     sin, cos = np.sin(angle), np.cos(angle)
 
     def turned(p):
-        return np.stack([p[:, :1] * sin, np.broadcast_to(p[:, 1:], (len(p), len(u))), p[:, :1] * cos], 2)
+        return np.stack(
+            [p[:, :1] * sin, np.broadcast_to(p[:, 1:], (len(p), len(u))), p[:, :1] * cos], 2
+        )
 
     positions, turned_normals = turned(profile).reshape(-1, 3), turned(normals).reshape(-1, 3)
     uv = np.stack(np.broadcast_arrays(u[None, :], np.asarray(v)[:, None]), 2).reshape(-1, 2)
@@ -112,9 +128,15 @@ def quad(corner, edge_u, edge_v, divisions=(1, 1)):
     columns, rows = divisions
     u, v = np.linspace(0, 1, columns + 1), np.linspace(0, 1, rows + 1)
     uv = np.stack(np.meshgrid(u, v), 2).reshape(-1, 2)
-    positions = np.asarray(corner, float) + uv[:, :1] * np.asarray(edge_u, float) + uv[:, 1:] * np.asarray(edge_v, float)
+    positions = (
+        np.asarray(corner, float)
+        + uv[:, :1] * np.asarray(edge_u, float)
+        + uv[:, 1:] * np.asarray(edge_v, float)
+    )
     normal = unit(np.cross(edge_v, edge_u).astype(float))
-    return Surface(positions, np.tile(normal, (len(uv), 1)), grid_indices(rows + 1, columns + 1), uv)
+    return Surface(
+        positions, np.tile(normal, (len(uv), 1)), grid_indices(rows + 1, columns + 1), uv
+    )
 
 
 def rotation(axis, degrees):

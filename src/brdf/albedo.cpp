@@ -2,136 +2,167 @@
 // SPDX-License-Identifier: MIT
 #include "brdf/albedo.h"
 
+#include "brdf/gauss_legendre.h"
+#include "brdf/terms.h"
+
 #include <algorithm>
 #include <cmath>
-
-#include "brdf/terms.h"
 
 namespace facet::brdf {
 namespace {
 
-constexpr std::uint32_t table_size = 32;  // ALBEDO_TABLE_SIZE of glsl/brdf/prelude.glsl
-constexpr std::uint32_t table_points = 24;
-constexpr std::uint32_t diffuse_points = 16;
-constexpr double smallest_cosine = 1e-3;  // the table's edge stands in for grazing light
+using tables::BrdfChoice;
+using Lobe = Terms<double>;
+using Color = Lobe::real3;
+
+constexpr double pi = Lobe::PI;
+constexpr double smallest_cosine = 1e-4;  // the edges stand in for what is a limit there
 constexpr double smallest_alpha = 1e-4;
-constexpr double two_pi = 6.283185307179586;
 
-template <class Real>
-using Vec3 = glm::vec<3, Real>;
+/// Points per half turn of azimuth, and from the normal to the horizon.
+struct Rules {
+    Quadrature azimuth;
+    Quadrature inclination;
+};
+/// For the table, whose interpolation errs more: 5e-4 at worst, from roughness 0.03 and n.v 0.01
+/// on. The points lie where GGX has its density; other distributions need more of them.
+Rules table_rules(tables::Distribution distribution) {
+    return {gauss_legendre(5), gauss_legendre(distribution == tables::Distribution::ggx ? 12 : 32)};
+}
+Rules exact_rules() { return {gauss_legendre(16), gauss_legendre(48)}; }
 
-/// A visible normal of GGX with width `alpha` (Dupuy & Benyoub 2023, Section 3, spherical caps). u in [0, 1)^2.
-template <class Real>
-Vec3<Real> visible_normal(const Vec3<Real>& v, Real alpha, Real u1, Real u2) {
-    const Vec3<Real> stretched = glm::normalize(Vec3<Real>(alpha * v.x, alpha * v.y, v.z));
-    const Real phi = static_cast<Real>(two_pi) * u1;
-    const Real z = (Real(1) - u2) * (Real(1) + stretched.z) - stretched.z;
-    const Real sine = std::sqrt(std::max(Real(0), Real(1) - z * z));
-    const Vec3<Real> h = Vec3<Real>(sine * std::cos(phi), sine * std::sin(phi), z) + stretched;
-    return glm::normalize(Vec3<Real>(alpha * h.x, alpha * h.y, h.z));
+/// The lobe of environment light.
+Lobe environment_lobe(const BrdfChoice& choice) {
+    Lobe lobe{choice};
+    lobe.choice.masking = choice.environment_masking;
+    return lobe;
 }
 
-/// Density of `visible_normal`'s reflected direction: G1(v) D(h) / (4 n.v) (Walter et al. 2007, Eq. 38; Heitz 2018).
-template <class Real>
-Real visible_pdf(Terms<Real>& terms, Real n_dot_v, Real n_dot_h, Real alpha) {
-    const Real a2 = alpha * alpha;
-    const Real lambda = (std::sqrt(Real(1) + a2 * (Real(1) / (n_dot_v * n_dot_v) - Real(1))) - Real(1)) / 2;
-    return terms.d_ggx(n_dot_h, alpha) / ((Real(1) + lambda) * Real(4) * n_dot_v);
-}
+struct Albedos {
+    double white = 0.0;       ///< F = 1
+    double dielectric = 0.0;  ///< F of F0 = 0.04
+};
 
-/// Midpoints of GGX's visible normals, whatever the distribution: Beckmann's tails are shorter, so the quotient
-/// stays bounded. By symmetry half of the azimuths suffice.
-template <class Real>
-SplitSum integrate(const tables::BrdfChoice& choice, Real n_dot_v, Real roughness, std::uint32_t side) {
-    Terms<Real> terms{choice};
-    const Real alpha = std::max(static_cast<Real>(smallest_alpha), terms.slot_width(roughness));
-    const Vec3<Real> v(std::sqrt(std::max(Real(0), Real(1) - n_dot_v * n_dot_v)), 0, n_dot_v);
-    const Real step = Real(1) / static_cast<Real>(side);
-    double a = 0.0;
-    double b = 0.0;
-    for (std::uint32_t i = 0; i < side; ++i)
-        for (std::uint32_t j = 0; j < side; ++j) {
-            const Real u1 = (static_cast<Real>(i) + Real(0.5)) * step * Real(0.5);
-            // u2 = t^2 (3 - 2t), du2 = 6t (1 - t) dt: points crowd where the lobe meets the horizon and its tail.
-            const Real t = (static_cast<Real>(j) + Real(0.5)) * step;
-            const Real u2 = t * t * (Real(3) - Real(2) * t);
-            const Vec3<Real> h = visible_normal(v, alpha, u1, u2);
-            const Real v_dot_h = glm::dot(v, h);
-            const Real n_dot_l = Real(2) * v_dot_h * h.z - v.z;
-            if (n_dot_l <= Real(0) || v_dot_h <= Real(0)) continue;
-            const Real n_dot_h = std::min(Real(1), h.z);
-            const Real f = terms.slot_distribution(n_dot_h, alpha) *
-                           terms.slot_masking(n_dot_v, n_dot_l, roughness, alpha);
-            const Real pdf = visible_pdf(terms, n_dot_v, n_dot_h, alpha);
-            const auto weight = static_cast<double>(f * n_dot_l / pdf * Real(6) * t * (Real(1) - t));
-            // Schlick's (1 - v.h)^5 split off, so that F0 can multiply what is left.
-            const auto c = static_cast<double>(Real(1) - std::min(Real(1), v_dot_h));
-            const double grazing = choice.fresnel == tables::Fresnel::none ? 1.0 : c * c * c * c * c;
-            a += weight * (1.0 - grazing);
-            b += weight * grazing;
-        }
-    const double count = static_cast<double>(side) * static_cast<double>(side);
-    return {a / count, b / count};
-}
-
-/// Albedo of the white diffuse lobe: cosine-weighted midpoints, f pi averaged.
-float diffuse_albedo(const tables::BrdfChoice& choice, float n_dot_v, float roughness) {
-    if (choice.diffuse != tables::Diffuse::burley) return choice.diffuse == tables::Diffuse::none ? 0.0F : 1.0F;
-    Terms<float> terms{choice};
-    const float sin_v = std::sqrt(std::max(0.0F, 1.0F - n_dot_v * n_dot_v));
-    const float step = 1.0F / static_cast<float>(diffuse_points);
-    float sum = 0.0F;
-    for (std::uint32_t i = 0; i < diffuse_points; ++i)
-        for (std::uint32_t j = 0; j < diffuse_points; ++j) {
-            const float n_dot_l = std::sqrt((static_cast<float>(i) + 0.5F) * step);
-            const float phi = (static_cast<float>(j) + 0.5F) * step * static_cast<float>(two_pi) * 0.5F;
-            const float sin_l = std::sqrt(std::max(0.0F, 1.0F - n_dot_l * n_dot_l));
-            const float v_dot_l = sin_v * sin_l * std::cos(phi) + n_dot_v * n_dot_l;
-            const float v_dot_h = std::sqrt(std::max(0.0F, (1.0F + v_dot_l) * 0.5F));
-            sum += terms.slot_diffuse(Vec3<float>(1.0F), roughness, n_dot_v, n_dot_l, v_dot_h).x;
-        }
-    return sum * step * step * static_cast<float>(two_pi) * 0.5F;
-}
-
-/// 2 integral(E mu dmu) over a row stored at mu = x^2: 4 integral(E x^3 dx), by trapezia.
-float row_average(const float* row, std::uint32_t size) {
-    double sum = 0.0;
-    const double step = 1.0 / static_cast<double>(size - 1);
-    for (std::uint32_t i = 0; i < size; ++i) {
-        const double x = static_cast<double>(i) * step;
-        const double e = static_cast<double>(row[i * 4]) + static_cast<double>(row[i * 4 + 1]);
-        sum += (i == 0 || i == size - 1 ? 0.5 : 1.0) * e * x * x * x;
+/// One azimuth of h: integral over its inclination theta of D V F 4 (v.h)(n.l) sin(theta) (dl = 4
+/// (v.h) dh; Walter et al. 2007, Eq. 14), up to where l meets the horizon. tan(theta) = alpha
+/// tan(x) makes GGX's density flat in sin^2(x); x is held by q = tan(x/2), so that no point costs a
+/// sine; q = top s^2 (3 - 2s) crowds points at the normal and at the horizon, where masking turns
+/// fast.
+Albedos over_inclination(Lobe& lobe, const Quadrature& rule, const Color& v_cos_phi,
+                         double roughness, double alpha) {
+    const double side = v_cos_phi.x;
+    const double n_dot_v = v_cos_phi.z;
+    // n.l = sqrt(side^2 + n_dot_v^2) cos(2 theta - atan2(side, n_dot_v))
+    const double tan_horizon = std::tan(0.5 * std::atan2(side, n_dot_v) + 0.25 * pi) / alpha;
+    const double top = tan_horizon / (1.0 + std::sqrt(1.0 + tan_horizon * tan_horizon));
+    Albedos sum;
+    for (std::size_t i = 0; i < rule.points.size(); ++i) {
+        const double s = rule.points[i];
+        const double q = top * s * s * (3.0 - 2.0 * s);
+        const double q2 = q * q;
+        const double rise = alpha * 2.0 * q;  // tan(theta) = rise / run
+        const double run = 1.0 - q2;
+        const double scale = 1.0 / std::sqrt(rise * rise + run * run);
+        const double n_dot_h = run * scale;
+        const double sin_theta = rise * scale;
+        const double v_dot_h = side * sin_theta + n_dot_v * n_dot_h;
+        const double n_dot_l = 2.0 * v_dot_h * n_dot_h - n_dot_v;
+        if (n_dot_l <= 0.0 || v_dot_h <= 0.0) continue;  // rounding at the horizon
+        const double dq = top * 6.0 * s * (1.0 - s) * rule.weights[i];
+        const double dtheta = alpha * 2.0 * (1.0 + q2) * scale * scale * dq;
+        const double weight = lobe.slot_distribution(n_dot_h, alpha) *
+                              lobe.slot_masking(n_dot_v, n_dot_l, roughness, alpha) * 4.0 *
+                              v_dot_h * n_dot_l * sin_theta * dtheta;
+        const Color f =
+            lobe.slot_fresnel(Color(Lobe::DIELECTRIC_F0), Color(1.0), std::min(1.0, v_dot_h));
+        sum.white += weight;
+        sum.dielectric += weight * f.x;
     }
-    return static_cast<float>(4.0 * sum * step);
+    return sum;
+}
+
+SplitSum integrate(Lobe& lobe, const Rules& rules, double cosine, double roughness) {
+    const double n_dot_v = std::clamp(cosine, smallest_cosine, 1.0);
+    const double alpha = std::max(smallest_alpha, lobe.slot_width(roughness));
+    const double sin_v = std::sqrt((1.0 - n_dot_v) * (1.0 + n_dot_v));
+    Albedos sum;
+    for (std::size_t i = 0; i < rules.azimuth.points.size(); ++i)
+        // The two quarter turns apart: seen edge on, facets that turn away end at a right angle.
+        for (const double sign : {1.0, -1.0}) {
+            const double side = sign * sin_v * std::cos(0.5 * pi * rules.azimuth.points[i]);
+            const Albedos part =
+                over_inclination(lobe, rules.inclination, {side, 0.0, n_dot_v}, roughness, alpha);
+            // Both halves of the turn are alike: 2 (pi / 2).
+            sum.white += part.white * pi * rules.azimuth.weights[i];
+            sum.dielectric += part.dielectric * pi * rules.azimuth.weights[i];
+        }
+    constexpr double f0 = Lobe::DIELECTRIC_F0;
+    const double b = (sum.dielectric - f0 * sum.white) / (1.0 - f0);
+    return {.a = sum.white - b, .b = b};
+}
+
+/// 2 integral(E mu dmu) with mu = x^2, which spreads the steep end.
+double integrate_average(Lobe& lobe, const Rules& rules, const Quadrature& cosines,
+                         double roughness) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < cosines.points.size(); ++i) {
+        const double x = cosines.points[i];
+        const SplitSum e = integrate(lobe, rules, x * x, roughness);
+        sum += 4.0 * x * x * x * cosines.weights[i] * (e.a + e.b);
+    }
+    return sum;
+}
+
+/// Albedo of the white diffuse lobe where it has no closed form; else 1, which multiplies nothing.
+double diffuse_albedo(Lobe& lobe, const Quadrature& rule, double n_dot_v, double roughness) {
+    if (lobe.choice.diffuse != tables::Diffuse::burley) return 1.0;
+    const double sin_v = std::sqrt((1.0 - n_dot_v) * (1.0 + n_dot_v));
+    double sum = 0.0;
+    for (std::size_t i = 0; i < rule.points.size(); ++i)
+        for (std::size_t j = 0; j < rule.points.size(); ++j) {
+            const double n_dot_l = rule.points[i];
+            const double sin_l = std::sqrt((1.0 - n_dot_l) * (1.0 + n_dot_l));
+            const double v_dot_l =
+                n_dot_v * n_dot_l + sin_v * sin_l * std::cos(pi * rule.points[j]);
+            const double v_dot_h = std::sqrt(std::max(0.0, 0.5 + 0.5 * v_dot_l));
+            sum += lobe.slot_diffuse(Color(1.0), roughness, n_dot_v, n_dot_l, v_dot_h).x * n_dot_l *
+                   rule.weights[i] * rule.weights[j];
+        }
+    return 2.0 * pi * sum;
 }
 
 }  // namespace
 
-SplitSum split_sum(const tables::BrdfChoice& choice, double n_dot_v, double roughness, std::uint32_t side) {
-    tables::BrdfChoice environment = choice;
-    environment.masking = choice.environment_masking;
-    return integrate<double>(environment, std::max(n_dot_v, smallest_cosine), roughness, side);
+SplitSum split_sum(const BrdfChoice& choice, double n_dot_v, double roughness) {
+    Lobe lobe = environment_lobe(choice);
+    return integrate(lobe, exact_rules(), n_dot_v, roughness);
 }
 
-AlbedoTable albedo_table(const tables::BrdfChoice& choice) {
-    tables::BrdfChoice environment = choice;
-    environment.masking = choice.environment_masking;
-    AlbedoTable table{.size = table_size, .texels = {}};
-    table.texels.resize(std::size_t{table_size} * table_size * 4);
-    const float step = 1.0F / static_cast<float>(table_size - 1);
-    for (std::uint32_t y = 0; y < table_size; ++y) {
-        float* row = &table.texels[std::size_t{y} * table_size * 4];
-        const float roughness = static_cast<float>(y) * step;
-        for (std::uint32_t x = 0; x < table_size; ++x) {
-            const float root = static_cast<float>(x) * step;
-            const float n_dot_v = std::max(root * root, static_cast<float>(smallest_cosine));
-            const SplitSum sum = integrate<float>(environment, n_dot_v, roughness, table_points);
-            row[x * 4] = static_cast<float>(sum.a);
-            row[x * 4 + 1] = static_cast<float>(sum.b);
-            row[x * 4 + 3] = diffuse_albedo(environment, n_dot_v, roughness);
+double average_albedo(const BrdfChoice& choice, double roughness) {
+    Lobe lobe = environment_lobe(choice);
+    return integrate_average(lobe, exact_rules(), gauss_legendre(24), roughness);
+}
+
+AlbedoTable albedo_table(const BrdfChoice& choice) {
+    Lobe lobe = environment_lobe(choice);
+    const Rules rules = table_rules(choice.distribution);
+    const Quadrature cosines = gauss_legendre(8);  // error of the mean 3e-4
+    constexpr auto size = static_cast<std::uint32_t>(Lobe::ALBEDO_TABLE_SIZE);
+    constexpr double step = 1.0 / (Lobe::ALBEDO_TABLE_SIZE - 1.0);
+    AlbedoTable table{.size = size, .texels = {}};
+    table.texels.reserve(std::size_t{size} * size * 4);
+    for (std::uint32_t row = 0; row < size; ++row) {
+        const double y = row * step;  // the inverse of albedo_coordinates.glsl
+        const double roughness = y * y;
+        const double average = integrate_average(lobe, rules, cosines, roughness);
+        for (std::uint32_t column = 0; column < size; ++column) {
+            const double x = column * step;
+            const double n_dot_v = std::max(x * x * x * x, smallest_cosine);
+            const SplitSum sum = integrate(lobe, rules, n_dot_v, roughness);
+            for (const double value : {sum.a, sum.b, average,
+                                       diffuse_albedo(lobe, rules.inclination, n_dot_v, roughness)})
+                table.texels.push_back(static_cast<float>(value));
         }
-        const float average = row_average(row, table_size);
-        for (std::uint32_t x = 0; x < table_size; ++x) row[x * 4 + 2] = average;
     }
     return table;
 }

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "brdf/choice.h"
 
+#include "base/text.h"
+
 #include <algorithm>
 #include <span>
 #include <string>
 #include <vector>
-
-#include "base/text.h"
 
 namespace facet::brdf {
 namespace {
@@ -39,7 +39,8 @@ std::vector<std::string> term_names(std::string_view slot, Use use) {
     return names;
 }
 
-/// The lecture's set: k_direct for lights, k_IBL for the environment, no compensation (physics: 0.3, 4.3).
+/// The lecture's set: k_direct for lights, k_IBL for the environment, no compensation (physics:
+/// 0.3, 4.3).
 BrdfChoice lecture() {
     BrdfChoice choice;
     choice.masking = tables::Masking::schlick_direct;
@@ -57,8 +58,9 @@ base::Status set(BrdfChoice& choice, std::string_view part, Use use) {
         // A slot with one term leaves nothing to choose.
         if (names.size() > 1) slots.emplace_back(slot.key);
         if (slot.key != key || names.size() < 2) continue;
-        const std::string name =
-            equals == std::string_view::npos ? "" : with(base::trimmed(part.substr(equals + 1)), '_', '-');
+        const std::string name = equals == std::string_view::npos
+                                     ? ""
+                                     : with(base::trimmed(part.substr(equals + 1)), '_', '-');
         const auto found = std::find(names.begin(), names.end(), name);
         if (found == names.end()) return unknown("no such " + key, name, names);
         // Lesson terms stand last in their slot, so that the index is the enumeration's either way.

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <string_view>
-
 #include "base/result.h"
 #include "tables/brdf_terms.h"
+
+#include <string_view>
 
 namespace facet::brdf {
 
@@ -13,7 +13,8 @@ namespace facet::brdf {
 enum class Use { render, lesson };
 
 /// `slot=term,…` (`,` or `;` between, dashes or underscores in names), `lecture`, for lessons
-/// `lecture-literal`, or nothing for the default model. Errors: usage, with the nearest right names.
+/// `lecture-literal`, or nothing for the default model. Errors: usage, with the nearest right
+/// names.
 [[nodiscard]] base::Result<tables::BrdfChoice> parse_choice(std::string_view text, Use use);
 
 }  // namespace facet::brdf

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "brdf/glsl_text.h"
 
-#include <set>
-#include <string_view>
+#include "base/text.h"
 
 #include <spdlog/fmt/fmt.h>
 
-#include "base/text.h"
+#include <set>
+#include <string_view>
 
 namespace facet::brdf {
 namespace {
@@ -42,18 +42,21 @@ base::Result<std::string> glsl_text(const tables::BrdfChoice& choice) {
     for (const tables::BrdfSlotFunction& function : tables::brdf_slot_functions) {
         const tables::BrdfTerm* term = chosen(function.slot, choice);
         if (term == nullptr)
-            return base::fail({.what = "brdf_terms.def has no row for a slot", .found = std::string(function.slot)});
+            return base::fail({.what = "brdf_terms.def has no row for a slot",
+                               .found = std::string(function.slot)});
         for (const std::string_view file : base::split(term->files, ' '))
             if (!file.empty() && seen.insert(file).second)
                 includes += fmt::format("#include \"brdf/{}.glsl\"\n", file);
         slots += fmt::format("{} {{ return {}; }}\n", function.signature, term->call);
     }
-    std::string text = fmt::format("#define FACET_BRDF_NEEDS_E_L {}\n#include \"brdf/prelude.glsl\"\n",
-                                   choice.multiscatter == tables::Multiscatter::kulla_conty ? 1 : 0);
+    std::string text =
+        fmt::format("#define FACET_BRDF_NEEDS_E_L {}\n#include \"brdf/prelude.glsl\"\n",
+                    choice.multiscatter == tables::Multiscatter::kulla_conty ? 1 : 0);
     text += includes + slots;
     text += fmt::format("bool slot_conserves() {{ return {}; }}\n", conserves);
     text += fmt::format("bool slot_has_fresnel() {{ return {}; }}\n", has_fresnel);
-    for (const char* part : {"albedo_coordinates", "brdf_types", "conserving", "cook_torrance", "model"})
+    for (const char* part :
+         {"albedo_coordinates", "brdf_types", "conserving", "cook_torrance", "model"})
         text += fmt::format("#include \"brdf/model/{}.glsl\"\n", part);
     return text;
 }

@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <string>
-
 #include "base/result.h"
 #include "tables/brdf_terms.h"
 
+#include <string>
+
 namespace facet::brdf {
 
-/// Text made of `#include "brdf/…"` lines (from the glsl folder) and one-line slot functions. Defines
-/// FACET_BRDF_NEEDS_E_L: 1 where brdf_light reads its e_l.
+/// Text made of `#include "brdf/…"` lines (from the glsl folder) and one-line slot functions.
+/// Defines FACET_BRDF_NEEDS_E_L: 1 where brdf_light reads its e_l.
 [[nodiscard]] base::Result<std::string> glsl_text(const tables::BrdfChoice& choice);
 
 }  // namespace facet::brdf

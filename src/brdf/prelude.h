@@ -1,7 +1,7 @@
-// What glsl/brdf may use, for C++: the functions of GLSL and of glsl/brdf/prelude.glsl, as members of Terms<Real>.
-// Included inside the class, once. Members, because a member found first keeps overload resolution from looking at
-// GLM's templates, which do not take a `real` beside a `real3` of another type.
-// SPDX-License-Identifier: MIT
+// What glsl/brdf may use, for C++: the functions of GLSL and of glsl/brdf/prelude.glsl, as members
+// of Terms<Real>. Included inside the class, once. Members, because a member found first keeps
+// overload resolution from looking at GLM's templates, which do not take a `real` beside a `real3`
+// of another type. SPDX-License-Identifier: MIT
 using real = Real;
 using real2 = glm::vec<2, Real>;
 using real3 = glm::vec<3, Real>;
@@ -10,7 +10,7 @@ using real4 = glm::vec<4, Real>;
 static constexpr real PI = real(3.14159265358979323846);
 static constexpr real DIVISOR_MIN = real(1e-7);
 static constexpr real DIELECTRIC_F0 = real(0.04);
-static constexpr real ALBEDO_TABLE_SIZE = real(32);
+static constexpr real ALBEDO_TABLE_SIZE = real(48);
 
 static real sqr(real x) { return x * x; }
 static real max(real a, real b) { return a < b ? b : a; }

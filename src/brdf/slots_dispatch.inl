@@ -1,5 +1,5 @@
-// The slots of brdf_slots.def as switches over a choice: brdf_terms.def expanded once a slot, inside Terms<Real>.
-// SPDX-License-Identifier: MIT
+// The slots of brdf_slots.def as switches over a choice: brdf_terms.def expanded once a slot,
+// inside Terms<Real>. SPDX-License-Identifier: MIT
 
 real slot_distribution([[maybe_unused]] real n_dot_h, [[maybe_unused]] real alpha) {
     using Chosen = tables::Distribution;
@@ -13,7 +13,8 @@ real slot_distribution([[maybe_unused]] real n_dot_h, [[maybe_unused]] real alph
     return real(real(0));
 }
 
-real slot_smith_correlated([[maybe_unused]] real n_dot_v, [[maybe_unused]] real n_dot_l, [[maybe_unused]] real alpha) {
+real slot_smith_correlated([[maybe_unused]] real n_dot_v, [[maybe_unused]] real n_dot_l,
+                           [[maybe_unused]] real alpha) {
     using Chosen = tables::Distribution;
     switch (choice.distribution) {
 #define FACET_WANT_smith_correlated ~,
@@ -25,7 +26,8 @@ real slot_smith_correlated([[maybe_unused]] real n_dot_v, [[maybe_unused]] real 
     return real(real(0));
 }
 
-real slot_smith([[maybe_unused]] real n_dot_v, [[maybe_unused]] real n_dot_l, [[maybe_unused]] real alpha) {
+real slot_smith([[maybe_unused]] real n_dot_v, [[maybe_unused]] real n_dot_l,
+                [[maybe_unused]] real alpha) {
     using Chosen = tables::Distribution;
     switch (choice.distribution) {
 #define FACET_WANT_smith ~,
@@ -37,7 +39,8 @@ real slot_smith([[maybe_unused]] real n_dot_v, [[maybe_unused]] real n_dot_l, [[
     return real(real(0));
 }
 
-real slot_masking([[maybe_unused]] real n_dot_v, [[maybe_unused]] real n_dot_l, [[maybe_unused]] real roughness, [[maybe_unused]] real alpha) {
+real slot_masking([[maybe_unused]] real n_dot_v, [[maybe_unused]] real n_dot_l,
+                  [[maybe_unused]] real roughness, [[maybe_unused]] real alpha) {
     using Chosen = tables::Masking;
     switch (choice.masking) {
 #define FACET_WANT_masking ~,
@@ -49,7 +52,8 @@ real slot_masking([[maybe_unused]] real n_dot_v, [[maybe_unused]] real n_dot_l, 
     return real(real(0));
 }
 
-real3 slot_fresnel([[maybe_unused]] real3 f0, [[maybe_unused]] real3 edge_tint, [[maybe_unused]] real v_dot_h) {
+real3 slot_fresnel([[maybe_unused]] real3 f0, [[maybe_unused]] real3 edge_tint,
+                   [[maybe_unused]] real v_dot_h) {
     using Chosen = tables::Fresnel;
     switch (choice.fresnel) {
 #define FACET_WANT_fresnel ~,
@@ -61,7 +65,9 @@ real3 slot_fresnel([[maybe_unused]] real3 f0, [[maybe_unused]] real3 edge_tint, 
     return real3(real(0));
 }
 
-real3 slot_diffuse([[maybe_unused]] real3 color, [[maybe_unused]] real roughness, [[maybe_unused]] real n_dot_v, [[maybe_unused]] real n_dot_l, [[maybe_unused]] real v_dot_h) {
+real3 slot_diffuse([[maybe_unused]] real3 color, [[maybe_unused]] real roughness,
+                   [[maybe_unused]] real n_dot_v, [[maybe_unused]] real n_dot_l,
+                   [[maybe_unused]] real v_dot_h) {
     using Chosen = tables::Diffuse;
     switch (choice.diffuse) {
 #define FACET_WANT_diffuse ~,
@@ -73,7 +79,8 @@ real3 slot_diffuse([[maybe_unused]] real3 color, [[maybe_unused]] real roughness
     return real3(real(0));
 }
 
-real3 slot_diffuse_albedo([[maybe_unused]] real3 color, [[maybe_unused]] real roughness, [[maybe_unused]] real n_dot_v, [[maybe_unused]] real white) {
+real3 slot_diffuse_albedo([[maybe_unused]] real3 color, [[maybe_unused]] real roughness,
+                          [[maybe_unused]] real n_dot_v, [[maybe_unused]] real white) {
     using Chosen = tables::Diffuse;
     switch (choice.diffuse) {
 #define FACET_WANT_diffuse_albedo ~,
@@ -97,7 +104,8 @@ real3 slot_multiscatter([[maybe_unused]] real3 f0, [[maybe_unused]] real e_v) {
     return real3(real(0));
 }
 
-real3 slot_added([[maybe_unused]] real3 f0, [[maybe_unused]] real a, [[maybe_unused]] real b, [[maybe_unused]] real e_average) {
+real3 slot_added([[maybe_unused]] real3 f0, [[maybe_unused]] real a, [[maybe_unused]] real b,
+                 [[maybe_unused]] real e_average) {
     using Chosen = tables::Multiscatter;
     switch (choice.multiscatter) {
 #define FACET_WANT_added ~,

@@ -2,22 +2,23 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cmath>
+#include "tables/brdf_terms.h"
 
 #include <glm/glm.hpp>
 
-#include "tables/brdf_terms.h"
+#include <cmath>
 
 namespace facet::brdf {
 
-/// The terms (d_ggx, f_schlick, ...), the model (brdf_view, brdf_light, brdf_environment), and the slots that a
-/// choice fills. Cheap to copy; not const, as GLSL's functions are not.
+/// The terms (d_ggx, f_schlick, ...), the model (brdf_view, brdf_light, brdf_environment), and the
+/// slots that a choice fills. Cheap to copy; not const, as GLSL's functions are not.
 template <class Real>
 struct Terms {
     tables::BrdfChoice choice{};
 #include "brdf/prelude.h"
 
-    /// False: the lecture's model, F0 mixed first. With fresnel=none each lobe stands alone, uncompensated.
+    /// False: the lecture's model, F0 mixed first. With fresnel=none each lobe stands alone,
+    /// uncompensated.
     bool slot_conserves() {
         return choice.multiscatter != tables::Multiscatter::off && slot_has_fresnel();
     }

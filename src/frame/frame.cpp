@@ -25,7 +25,9 @@ std::vector<std::size_t> near_to_far(const GpuScene& scene, const shared::View& 
     std::iota(order.begin(), order.end(), std::size_t{0});
     const math::Vec3 eye(view.eye_m);
     const math::Vec3 forward(view.forward);
-    const auto distance = [&](std::size_t i) { return math::dot(scene.draws[i].center_m - eye, forward); };
+    const auto distance = [&](std::size_t i) {
+        return math::dot(scene.draws[i].center_m - eye, forward);
+    };
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return distance(a) < distance(b); });
     return order;
@@ -37,7 +39,7 @@ public:
     Clock(const gl::Context& gl, bool wanted) : gl_(gl), wanted_(wanted) {}
     void add_to(double* milliseconds) {
         if (!wanted_) return;
-        gl_.api().Finish();
+        gl_.finish();
         const auto now = std::chrono::steady_clock::now();
         *milliseconds += std::chrono::duration<double, std::milli>(now - last_).count();
         last_ = now;
@@ -78,7 +80,8 @@ base::Result<Frame> Frame::create(const gl::Context& gl, const gl::ShaderSources
     return frame;
 }
 
-void Frame::set_view(const gl::Context& gl, const FrameInputs& in, const shared::View& camera_view) {
+void Frame::set_view(const gl::Context& gl, const FrameInputs& in,
+                     const shared::View& camera_view) {
     shared::View view = camera_view;
     const std::uint32_t across = (spec_.region.size.width + tile_px - 1) / tile_px;
     view.light_counts = {in.lights.directional_count, in.lights.count, across, 0U};
@@ -91,7 +94,8 @@ void Frame::set_view(const gl::Context& gl, const FrameInputs& in, const shared:
     gl.api().BindBufferBase(GL_UNIFORM_BUFFER, view_binding, view_block_.name());
 }
 
-ShadeKey Frame::update_light_lists(const gl::Context& gl, const FrameInputs& in, const shared::View& view) {
+ShadeKey Frame::update_light_lists(const gl::Context& gl, const FrameInputs& in,
+                                   const shared::View& view) {
     if (uploaded_lights_ != &in.lights) update_lights(gl, light_buffers_, in.lights);
     uploaded_lights_ = &in.lights;
     const ShadeKey key{.environment = !in.environment.is_black,
@@ -108,12 +112,14 @@ ShadeKey Frame::update_light_lists(const gl::Context& gl, const FrameInputs& in,
                         std::as_writable_bytes(std::span(depth)));
         depths = tile_depths(depth, size, false);
     }
-    update_lists(gl, light_buffers_,
-                 build_light_lists(in.lights, view.clip_from_world, size, depths ? &*depths : nullptr));
+    update_lists(
+        gl, light_buffers_,
+        build_light_lists(in.lights, view.clip_from_world, size, depths ? &*depths : nullptr));
     return key;
 }
 
-base::Status Frame::draw_light(const gl::Context& gl, const FrameInputs& in, const shared::View& view,
+base::Status Frame::draw_light(const gl::Context& gl, const FrameInputs& in,
+                               const shared::View& view,
                                const std::vector<std::size_t>& far_to_near) {
     const ShadeInputs shade{update_light_lists(gl, in, view), in.environment, light_buffers_};
     if (in.background.kind == BackgroundKind::none || in.background.kind == BackgroundKind::color) {
@@ -122,7 +128,9 @@ base::Status Frame::draw_light(const gl::Context& gl, const FrameInputs& in, con
         gl.api().ClearBufferfv(GL_COLOR, 0, clear.data());
     }
     if (auto s = lighting_pass_.run(gl, gbuffer_, shade, empty_, radiance_); !s) return s;
-    if (auto s = background_pass_.run(gl, in.background.kind, in.environment, empty_, radiance_); !s) return s;
+    if (auto s = background_pass_.run(gl, in.background.kind, in.environment, empty_, radiance_);
+        !s)
+        return s;
     return blend_pass_.run(gl, in.scene, far_to_near, shade, radiance_);
 }
 
@@ -131,7 +139,8 @@ base::Status Frame::draw(const gl::Context& gl, const FrameInputs& in, std::uint
     PassTimes unwanted;
     PassTimes& passes = times == nullptr ? unwanted : *times;
     Clock clock(gl, times != nullptr);
-    const shared::View view = view_block(in.camera, spec_.picture, spec_.region, jitter_px(index, count));
+    const shared::View view =
+        view_block(in.camera, spec_.picture, spec_.region, jitter_px(index, count));
     set_view(gl, in, view);
     std::vector<std::size_t> order = near_to_far(in.scene, view);
     if (auto s = gbuffer_pass_.run(gl, in.scene, order, gbuffer_); !s) return s;
@@ -139,7 +148,9 @@ base::Status Frame::draw(const gl::Context& gl, const FrameInputs& in, std::uint
     std::reverse(order.begin(), order.end());
     if (auto s = draw_light(gl, in, view, order); !s) return s;
     clock.add_to(&passes.lighting);
-    if (auto s = aov_pass_.run(gl, gbuffer_, tables::Average::mean, empty_, size(), aov_targets_); !s) return s;
+    if (auto s = aov_pass_.run(gl, gbuffer_, tables::Average::mean, empty_, size(), aov_targets_);
+        !s)
+        return s;
     if (count > 1) {
         if (!accumulator_) {
             auto made = Accumulator::create(gl, size());
@@ -154,15 +165,20 @@ base::Status Frame::draw(const gl::Context& gl, const FrameInputs& in, std::uint
 }
 
 base::Status Frame::draw_centered_aovs(const gl::Context& gl, const FrameInputs& in) {
-    const bool any = std::any_of(aov_targets_.begin(), aov_targets_.end(), [](const AovTarget& target) {
-        return tables::aovs[static_cast<std::size_t>(target.aov)].average == tables::Average::nearest;
-    });
+    const bool any =
+        std::any_of(aov_targets_.begin(), aov_targets_.end(), [](const AovTarget& target) {
+            return tables::aovs[static_cast<std::size_t>(target.aov)].average ==
+                   tables::Average::nearest;
+        });
     if (!any) return {};
     const shared::View view = view_block(in.camera, spec_.picture, spec_.region, math::Vec2(0.0F));
     set_view(gl, in, view);
-    if (auto s = gbuffer_pass_.run(gl, in.scene, near_to_far(in.scene, view), gbuffer_); !s) return s;
+    if (auto s = gbuffer_pass_.run(gl, in.scene, near_to_far(in.scene, view), gbuffer_); !s)
+        return s;
     gl::copy_depth(gl, gbuffer_.framebuffer, radiance_.framebuffer, size());
-    if (auto s = aov_pass_.run(gl, gbuffer_, tables::Average::nearest, empty_, size(), aov_targets_); !s)
+    if (auto s =
+            aov_pass_.run(gl, gbuffer_, tables::Average::nearest, empty_, size(), aov_targets_);
+        !s)
         return s;
     return gl.check("aovs");
 }
@@ -175,7 +191,8 @@ const gl::Texture& Frame::sum_texture(std::uint32_t count) const {
 }
 
 base::Status Frame::display(const gl::Context& gl, const DisplaySettings& settings) {
-    if (auto s = display_pass_.run(gl, sum_texture(settings.frame_count), size(), settings, empty_); !s)
+    if (auto s = display_pass_.run(gl, sum_texture(settings.frame_count), size(), settings, empty_);
+        !s)
         return s;
     return gl.check("display");
 }
@@ -184,7 +201,9 @@ std::vector<image::Layer> Frame::read_aovs(const gl::Context& gl, std::uint32_t 
     std::vector<image::Layer> layers;
     for (const AovTarget& target : aov_targets_) {
         const tables::AovRow& row = tables::aovs[static_cast<std::size_t>(target.aov)];
-        image::Layer layer{.name = std::string(row.key), .channels = {}, .image = read_aov(gl, target, size(), count)};
+        image::Layer layer{.name = std::string(row.key),
+                           .channels = {},
+                           .image = read_aov(gl, target, size(), count)};
         for (const char channel : row.channels) layer.channels.emplace_back(1, channel);
         layers.push_back(std::move(layer));
     }

@@ -2,9 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <optional>
-#include <vector>
-
 #include "frame/aov/aov.h"
 #include "frame/background/background.h"
 #include "frame/blend/blend.h"
@@ -15,6 +12,9 @@
 #include "frame/upload/gpu_scene.h"
 #include "frame/view.h"
 #include "image/read.h"
+
+#include <optional>
+#include <vector>
 
 namespace facet::frame {
 
@@ -45,29 +45,40 @@ struct PassTimes {
 class Frame {
 public:
     /// `sources` outlives the frame. Errors: limit_reached (size), internal (shaders).
-    [[nodiscard]] static base::Result<Frame> create(const gl::Context& gl, const gl::ShaderSources& sources,
+    [[nodiscard]] static base::Result<Frame> create(const gl::Context& gl,
+                                                    const gl::ShaderSources& sources,
                                                     const FrameSpec& spec);
 
     /// Draws sample `index` of `count` and adds it, unless it is the only one.
-    [[nodiscard]] base::Status draw(const gl::Context& gl, const FrameInputs& in, std::uint32_t index,
-                                    std::uint32_t count, PassTimes* times = nullptr);
+    [[nodiscard]] base::Status draw(const gl::Context& gl, const FrameInputs& in,
+                                    std::uint32_t index, std::uint32_t count,
+                                    PassTimes* times = nullptr);
     /// AOVs that are not averaged: one more G-buffer through the centres of the pixels.
     [[nodiscard]] base::Status draw_centered_aovs(const gl::Context& gl, const FrameInputs& in);
 
-    /// The sum of the frames drawn: RGBA f32, rows from the bottom; and its window depth of the last frame.
+    /// The sum of the frames drawn: RGBA f32, rows from the bottom; and its window depth of the
+    /// last frame.
     [[nodiscard]] const gl::Framebuffer& sum_framebuffer(std::uint32_t count) const;
     [[nodiscard]] const gl::Texture& sum_texture(std::uint32_t count) const;
     [[nodiscard]] const gl::Framebuffer& depth_framebuffer() const { return gbuffer_.framebuffer; }
     /// Encodes the frames drawn for a screen, on the GL; read_display() fetches it.
     [[nodiscard]] base::Status display(const gl::Context& gl, const DisplaySettings& settings);
-    [[nodiscard]] image::Image read_display(const gl::Context& gl) const { return display_pass_.read(gl); }
-    [[nodiscard]] std::vector<image::Layer> read_aovs(const gl::Context& gl, std::uint32_t count) const;
+    [[nodiscard]] image::Image read_display(const gl::Context& gl) const {
+        return display_pass_.read(gl);
+    }
+    [[nodiscard]] std::vector<image::Layer> read_aovs(const gl::Context& gl,
+                                                      std::uint32_t count) const;
     [[nodiscard]] math::Extent size() const { return spec_.region.size; }
 
 private:
     Frame(const gl::ShaderSources& sources, FrameSpec spec)
-        : spec_(std::move(spec)), gbuffer_pass_(sources), lighting_pass_(sources),
-          background_pass_(sources), blend_pass_(sources), aov_pass_(sources), display_pass_(sources) {}
+        : spec_(std::move(spec)),
+          gbuffer_pass_(sources),
+          lighting_pass_(sources),
+          background_pass_(sources),
+          blend_pass_(sources),
+          aov_pass_(sources),
+          display_pass_(sources) {}
 
     void set_view(const gl::Context& gl, const FrameInputs& in, const shared::View& camera_view);
     [[nodiscard]] ShadeKey update_light_lists(const gl::Context& gl, const FrameInputs& in,

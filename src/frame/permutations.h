@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <map>
-
 #include "gl/shader.h"
+
+#include <map>
 
 namespace facet::frame {
 

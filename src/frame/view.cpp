@@ -34,8 +34,8 @@ float radical_inverse(std::uint32_t x) {
 
 shared::View view_block(const scene::Camera& camera, math::Extent picture, const Region& region,
                         math::Vec2 jitter_px) {
-    const math::Mat4 clip_from_view = region_from_picture(picture, region) *
-                                      scene::clip_from_view(camera, picture, jitter_px);
+    const math::Mat4 clip_from_view =
+        region_from_picture(picture, region) * scene::clip_from_view(camera, picture, jitter_px);
     shared::View view{};
     view.clip_from_world = clip_from_view * scene::view_from_world(camera);
     view.world_from_clip = math::inverse(view.clip_from_world);

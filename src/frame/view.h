@@ -15,8 +15,8 @@ struct Region {
     math::Extent size;
 };
 
-/// The view block's camera part for one jittered frame. `jitter_px` is the sample's place in the pixel,
-/// relative to its centre, in -0.5..0.5, y down.
+/// The view block's camera part for one jittered frame. `jitter_px` is the sample's place in the
+/// pixel, relative to its centre, in -0.5..0.5, y down.
 [[nodiscard]] shared::View view_block(const scene::Camera& camera, math::Extent picture,
                                       const Region& region, math::Vec2 jitter_px);
 

@@ -5,7 +5,7 @@
 namespace facet::gl {
 
 const char* load(Api& api, Loader loader) {
-#define FUNCTION(type, name)                                             \
+#define FUNCTION(type, name)                                            \
     api.name = reinterpret_cast<PFNGL##type##PROC>(loader("gl" #name)); \
     if (api.name == nullptr) return "gl" #name;
 #include "gl/api.def"

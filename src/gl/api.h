@@ -6,8 +6,8 @@
 
 namespace facet::gl {
 
-/// Entry points of one context. Never those of a library linked at build time: libGL and libOSMesa both
-/// export the same names, and a program that links both calls the wrong one.
+/// Entry points of one context. Never those of a library linked at build time: libGL and libOSMesa
+/// both export the same names, and a program that links both calls the wrong one.
 struct Api {
 #define FUNCTION(type, name) PFNGL##type##PROC name = nullptr;
 #include "gl/api.def"

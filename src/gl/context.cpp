@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "gl/context.h"
 
+#include "gl/platform.h"
+
 #include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <string_view>
-
-#include "gl/platform.h"
 
 namespace facet::gl {
 namespace {
@@ -145,7 +145,8 @@ std::string shader_cache_folder() {
         const char* value = std::getenv(name);
         return value == nullptr ? "" : value;
     };
-    if (!variable("MESA_SHADER_CACHE_DIR").empty()) return std::string(variable("MESA_SHADER_CACHE_DIR"));
+    if (!variable("MESA_SHADER_CACHE_DIR").empty())
+        return std::string(variable("MESA_SHADER_CACHE_DIR"));
     std::filesystem::path cache(variable("XDG_CACHE_HOME"));
     if (!cache.is_absolute()) {
         const std::filesystem::path home(variable("HOME"));

@@ -1,14 +1,14 @@
-// A GL context without a window: EGL on a device, EGL surfaceless, or OSMesa, all loaded at run time.
-// SPDX-License-Identifier: MIT
+// A GL context without a window: EGL on a device, EGL surfaceless, or OSMesa, all loaded at run
+// time. SPDX-License-Identifier: MIT
 #pragma once
-
-#include <memory>
-#include <string>
-#include <vector>
 
 #include "base/log.h"
 #include "base/result.h"
 #include "gl/api.h"
+
+#include <memory>
+#include <string>
+#include <vector>
 
 namespace facet::gl {
 
@@ -16,7 +16,7 @@ enum class Backend { automatic, egl, osmesa };
 
 /// What became of one way to a context; `facet doctor` and the error of create() print it.
 struct BackendReport {
-    std::string name;      ///< "EGL device", "EGL surfaceless", "OSMesa"
+    std::string name;  ///< "EGL device", "EGL surfaceless", "OSMesa"
     bool works = false;
     std::string renderer;  ///< GL_RENDERER, where it works
     std::string version;   ///< GL_VERSION, where it works
@@ -24,8 +24,8 @@ struct BackendReport {
     std::string remedy;    ///< the Debian package or setting that mends it
 };
 
-/// One current core-profile context of at least 4.3, on the calling thread. All GL objects must die before it,
-/// and it before the log given to create().
+/// One current core-profile context of at least 4.3, on the calling thread. All GL objects must die
+/// before it, and it before the log given to create().
 class Context {
 public:
     /// Tries, for `automatic`, EGL with a hardware device, EGL surfaceless, OSMesa, in that order.
@@ -42,7 +42,10 @@ public:
     /// Whether the GL's memory is ours: reading back costs a copy and no wait.
     [[nodiscard]] bool is_software() const noexcept;
 
-    /// Errors: internal, naming `pass`, when GL has an error pending; limit_reached when out of memory.
+    /// Returns when every command given so far is complete.
+    void finish() const { api().Finish(); }
+    /// Errors: internal, naming `pass`, when GL has an error pending; limit_reached when out of
+    /// memory.
     [[nodiscard]] base::Status check(const char* pass) const;
 
     struct Platform;  ///< what each way owns; in platform.h
@@ -56,9 +59,9 @@ private:
 /// Every way, tried in turn; none stays current.
 [[nodiscard]] std::vector<BackendReport> probe_backends();
 
-/// Environment variables of Mesa that have to stand before its libraries are loaded: a shader cache of the
-/// program's own (facts: the cache's key lacks the vector width) and the number of threads (0: Mesa's choice).
-/// What the user has set stays. Call once, before threads start.
+/// Environment variables of Mesa that have to stand before its libraries are loaded: a shader cache
+/// of the program's own (facts: the cache's key lacks the vector width) and the number of threads
+/// (0: Mesa's choice). What the user has set stays. Call once, before threads start.
 void prepare_environment(unsigned thread_count);
 /// The shader cache's folder, or "" where there is none.
 [[nodiscard]] std::string shader_cache_folder();

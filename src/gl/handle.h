@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <utility>
-
 #include "gl/api.h"
+
+#include <utility>
 
 namespace facet::gl {
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "gl/objects.h"
 
-#include <vector>
-
 #include <spdlog/fmt/fmt.h>
+
+#include <vector>
 
 namespace facet::gl {
 
@@ -13,9 +13,10 @@ base::Result<Texture> make_texture(const Context& gl, const TextureSpec& spec) {
     GLint side = 0;
     api.GetIntegerv(spec.cube ? GL_MAX_CUBE_MAP_TEXTURE_SIZE : GL_MAX_TEXTURE_SIZE, &side);
     if (spec.size.width > static_cast<GLuint>(side) || spec.size.height > static_cast<GLuint>(side))
-        return base::fail({.code = base::ErrorCode::limit_reached,
-                           .what = "larger than the driver's textures may be",
-                           .found = fmt::format("{}x{}, limit {}", spec.size.width, spec.size.height, side)});
+        return base::fail(
+            {.code = base::ErrorCode::limit_reached,
+             .what = "larger than the driver's textures may be",
+             .found = fmt::format("{}x{}, limit {}", spec.size.width, spec.size.height, side)});
     GLuint name = 0;
     api.GenTextures(1, &name);
     Texture texture(api, name);
@@ -23,11 +24,14 @@ base::Result<Texture> make_texture(const Context& gl, const TextureSpec& spec) {
     api.BindTexture(target, name);
     api.TexStorage2D(target, spec.levels, spec.format, static_cast<GLsizei>(spec.size.width),
                      static_cast<GLsizei>(spec.size.height));
+    // GL's own default is linear, with which an integer texture reads as 0.
+    api.TexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    api.TexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     return texture;
 }
 
-void upload(const Context& gl, const Texture& texture, const TextureSpec& spec, GLint level, int face,
-            const PixelFormat& pixels, std::span<const std::byte> bytes) {
+void upload(const Context& gl, const Texture& texture, const TextureSpec& spec, GLint level,
+            int face, const PixelFormat& pixels, std::span<const std::byte> bytes) {
     const Api& api = gl.api();
     const auto side = [&](GLuint size) {
         return static_cast<GLsizei>(std::max(1U, size >> static_cast<unsigned>(level)));
@@ -36,8 +40,8 @@ void upload(const Context& gl, const Texture& texture, const TextureSpec& spec, 
     api.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
     const GLenum target =
         spec.cube ? GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(face) : GL_TEXTURE_2D;
-    api.TexSubImage2D(target, level, 0, 0, side(spec.size.width), side(spec.size.height), pixels.format,
-                      pixels.type, bytes.data());
+    api.TexSubImage2D(target, level, 0, 0, side(spec.size.width), side(spec.size.height),
+                      pixels.format, pixels.type, bytes.data());
 }
 
 Buffer make_buffer(const Context& gl, std::span<const std::byte> bytes, GLenum usage) {
@@ -45,7 +49,8 @@ Buffer make_buffer(const Context& gl, std::span<const std::byte> bytes, GLenum u
     GLuint name = 0;
     api.GenBuffers(1, &name);
     api.BindBuffer(GL_COPY_WRITE_BUFFER, name);
-    api.BufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(bytes.size()), bytes.data(), usage);
+    api.BufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(bytes.size()), bytes.data(),
+                   usage);
     return Buffer(api, name);
 }
 
@@ -64,7 +69,8 @@ Texture make_buffer_texture(const Context& gl, const Buffer& buffer, GLenum form
     return Texture(api, name);
 }
 
-base::Result<Framebuffer> make_framebuffer(const Context& gl, std::span<const Texture* const> colors,
+base::Result<Framebuffer> make_framebuffer(const Context& gl,
+                                           std::span<const Texture* const> colors,
                                            const Texture* depth) {
     const Api& api = gl.api();
     GLuint name = 0;
@@ -78,7 +84,8 @@ base::Result<Framebuffer> make_framebuffer(const Context& gl, std::span<const Te
         buffers.push_back(attachment);
     }
     api.DrawBuffers(static_cast<GLsizei>(buffers.size()), buffers.data());
-    if (depth != nullptr) api.FramebufferTexture(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, depth->name(), 0);
+    if (depth != nullptr)
+        api.FramebufferTexture(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, depth->name(), 0);
     const GLenum status = api.CheckFramebufferStatus(GL_FRAMEBUFFER);
     if (status != GL_FRAMEBUFFER_COMPLETE)
         return base::fail({.code = base::ErrorCode::internal,
@@ -87,7 +94,8 @@ base::Result<Framebuffer> make_framebuffer(const Context& gl, std::span<const Te
     return framebuffer;
 }
 
-void copy_depth(const Context& gl, const Framebuffer& from, const Framebuffer& to, math::Extent size) {
+void copy_depth(const Context& gl, const Framebuffer& from, const Framebuffer& to,
+                math::Extent size) {
     const Api& api = gl.api();
     api.BindFramebuffer(GL_READ_FRAMEBUFFER, from.name());
     api.BindFramebuffer(GL_DRAW_FRAMEBUFFER, to.name());
@@ -103,8 +111,8 @@ void read_pixels(const Context& gl, const Framebuffer& framebuffer, int index, m
     if (pixels.format != GL_DEPTH_COMPONENT)
         api.ReadBuffer(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(index));
     api.PixelStorei(GL_PACK_ALIGNMENT, 1);
-    api.ReadPixels(0, 0, static_cast<GLsizei>(size.width), static_cast<GLsizei>(size.height), pixels.format,
-                   pixels.type, out.data());
+    api.ReadPixels(0, 0, static_cast<GLsizei>(size.width), static_cast<GLsizei>(size.height),
+                   pixels.format, pixels.type, out.data());
 }
 
 Sampler make_sampler(const Context& gl, const SamplerSpec& spec) {

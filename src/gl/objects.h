@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstddef>
-#include <span>
-
 #include "base/result.h"
 #include "gl/context.h"
 #include "gl/handle.h"
 #include "math/vector.h"
+
+#include <cstddef>
+#include <span>
 
 namespace facet::gl {
 
@@ -28,8 +28,8 @@ struct PixelFormat {
     GLenum type = GL_UNSIGNED_BYTE;
 };
 /// Fills one level of a 2D texture, or one face of a cube (`face` 0..5). Rows are tightly packed.
-void upload(const Context& gl, const Texture& texture, const TextureSpec& spec, GLint level, int face,
-            const PixelFormat& pixels, std::span<const std::byte> bytes);
+void upload(const Context& gl, const Texture& texture, const TextureSpec& spec, GLint level,
+            int face, const PixelFormat& pixels, std::span<const std::byte> bytes);
 
 /// A buffer and, for texture buffers, the texture that shows it.
 [[nodiscard]] Buffer make_buffer(const Context& gl, std::span<const std::byte> bytes,
@@ -37,15 +37,18 @@ void upload(const Context& gl, const Texture& texture, const TextureSpec& spec, 
 void update_buffer(const Context& gl, const Buffer& buffer, std::span<const std::byte> bytes);
 [[nodiscard]] Texture make_buffer_texture(const Context& gl, const Buffer& buffer, GLenum format);
 
-/// Attachments outlive the framebuffer. `depth` may be null. Errors: internal when it is not complete.
+/// Attachments outlive the framebuffer. `depth` may be null. Errors: internal when it is not
+/// complete.
 [[nodiscard]] base::Result<Framebuffer> make_framebuffer(const Context& gl,
                                                          std::span<const Texture* const> colors,
                                                          const Texture* depth);
 
 /// Copies the depth of one framebuffer to another of the same size and depth format.
-void copy_depth(const Context& gl, const Framebuffer& from, const Framebuffer& to, math::Extent size);
+void copy_depth(const Context& gl, const Framebuffer& from, const Framebuffer& to,
+                math::Extent size);
 
-/// Reads attachment `index` (or depth with GL_DEPTH_COMPONENT) into `out`, rows from the bottom, packed.
+/// Reads attachment `index` (or depth with GL_DEPTH_COMPONENT) into `out`, rows from the bottom,
+/// packed.
 void read_pixels(const Context& gl, const Framebuffer& framebuffer, int index, math::Extent size,
                  const PixelFormat& pixels, std::span<std::byte> out);
 

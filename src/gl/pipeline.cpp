@@ -26,13 +26,11 @@ void set_pipeline(const Context& gl, const Pipeline& pipeline) {
     api.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
-void begin_draw(const Context& gl, const Framebuffer& target, math::Extent size, const Program& program,
-                const Pipeline& pipeline) {
+void begin_draw(const Context& gl, const Framebuffer& target, math::Extent size,
+                const Program& program, const Pipeline& pipeline) {
     const Api& api = gl.api();
     api.BindFramebuffer(GL_FRAMEBUFFER, target.name());
     api.Viewport(0, 0, static_cast<GLsizei>(size.width), static_cast<GLsizei>(size.height));
-    // Targets that store sRGB (the albedo) encode on write.
-    api.Enable(GL_FRAMEBUFFER_SRGB);
     api.UseProgram(program.name());
     set_pipeline(gl, pipeline);
 }

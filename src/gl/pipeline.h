@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <span>
-
 #include "gl/context.h"
 #include "gl/handle.h"
 #include "math/vector.h"
+
+#include <span>
 
 namespace facet::gl {
 
@@ -22,8 +22,8 @@ struct Pipeline {
 };
 
 /// Binds the framebuffer with a viewport of its size, the program, and sets every state.
-void begin_draw(const Context& gl, const Framebuffer& target, math::Extent size, const Program& program,
-                const Pipeline& pipeline);
+void begin_draw(const Context& gl, const Framebuffer& target, math::Extent size,
+                const Program& program, const Pipeline& pipeline);
 /// Sets the states alone, between two draws of one target and program.
 void set_pipeline(const Context& gl, const Pipeline& pipeline);
 /// One triangle over the whole target, made in the vertex shader from gl_VertexID at the far plane.

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <functional>
-#include <memory>
-#include <string>
-
 #include "base/result.h"
 #include "gl/api.h"
 #include "gl/context.h"
+
+#include <functional>
+#include <memory>
+#include <string>
 
 namespace facet::gl {
 

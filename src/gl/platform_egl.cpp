@@ -1,15 +1,14 @@
 // EGL without a window: on a hardware device, or on Mesa's surfaceless platform.
 // SPDX-License-Identifier: MIT
+#include "gl/platform.h"
+
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 #include <dlfcn.h>
+#include <spdlog/fmt/fmt.h>
 
 #include <array>
 #include <string_view>
-
-#include <spdlog/fmt/fmt.h>
-
-#include "gl/platform.h"
 
 namespace facet::gl {
 namespace {
@@ -17,7 +16,8 @@ namespace {
 constexpr const char* egl_package = "apt-get install libegl1 libegl-mesa0";
 constexpr const char* driver_package = "apt-get install libgl1-mesa-dri";
 
-/// The entry points of libEGL, looked up at run time so that the program starts where it is missing.
+/// The entry points of libEGL, looked up at run time so that the program starts where it is
+/// missing.
 struct Egl {
     PFNEGLGETPROCADDRESSPROC get_proc_address = nullptr;
     PFNEGLQUERYSTRINGPROC query_string = nullptr;
@@ -40,7 +40,8 @@ bool find(void* library, const char* name, F& function) {
 
 tl::expected<Egl, Failure> load_egl() {
     void* library = ::dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL);
-    if (library == nullptr) return tl::unexpected(Failure{"libEGL.so.1 is not installed", egl_package});
+    if (library == nullptr)
+        return tl::unexpected(Failure{"libEGL.so.1 is not installed", egl_package});
     Egl egl;
     const bool all = find(library, "eglGetProcAddress", egl.get_proc_address) &&
                      find(library, "eglQueryString", egl.query_string) &&
@@ -73,10 +74,13 @@ bool has_extension(const char* list, std::string_view name) {
 EGLContext create_core_context(const Egl& egl, EGLDisplay display, EGLConfig config) {
     EGLContext context = EGL_NO_CONTEXT;
     for (const EGLint minor : {5, 4, 3}) {
-        const std::array<EGLint, 7> attributes = {EGL_CONTEXT_MAJOR_VERSION_KHR, 4,
-                                                  EGL_CONTEXT_MINOR_VERSION_KHR, minor,
+        const std::array<EGLint, 7> attributes = {EGL_CONTEXT_MAJOR_VERSION_KHR,
+                                                  4,
+                                                  EGL_CONTEXT_MINOR_VERSION_KHR,
+                                                  minor,
                                                   EGL_CONTEXT_OPENGL_PROFILE_MASK_KHR,
-                                                  EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT_KHR, EGL_NONE};
+                                                  EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT_KHR,
+                                                  EGL_NONE};
         if (context == EGL_NO_CONTEXT)
             context = egl.create_context(display, config, EGL_NO_CONTEXT, attributes.data());
     }

@@ -1,10 +1,10 @@
 // OSMesa: Mesa's renderer into plain memory; works where there is neither EGL nor a device file.
 // SPDX-License-Identifier: MIT
+#include "gl/platform.h"
+
 #include <dlfcn.h>
 
 #include <memory>
-
-#include "gl/platform.h"
 
 namespace facet::gl {
 namespace {
@@ -19,7 +19,8 @@ constexpr int OSMESA_CONTEXT_MAJOR_VERSION = 0x36;
 constexpr int OSMESA_CONTEXT_MINOR_VERSION = 0x37;
 
 using CreateContext = void* (*)(const int* attributes, void* share);
-using MakeCurrent = unsigned char (*)(void* context, void* buffer, GLenum type, int width, int height);
+using MakeCurrent = unsigned char (*)(void* context, void* buffer, GLenum type, int width,
+                                      int height);
 using DestroyContext = void (*)(void* context);
 
 constexpr const char* package = "apt-get install libosmesa6";
@@ -38,12 +39,21 @@ PlatformResult open_osmesa() {
     const auto destroy = reinterpret_cast<DestroyContext>(::dlsym(library, "OSMesaDestroyContext"));
     const auto loader = reinterpret_cast<Loader>(::dlsym(library, "OSMesaGetProcAddress"));
     if (create == nullptr || make_current == nullptr || destroy == nullptr || loader == nullptr)
-        return tl::unexpected(Failure{"libOSMesa lacks the functions of Mesa 10 and later", package});
+        return tl::unexpected(
+            Failure{"libOSMesa lacks the functions of Mesa 10 and later", package});
     void* context = nullptr;
     for (const int minor : {5, 4, 3}) {
-        const int attributes[] = {OSMESA_FORMAT, OSMESA_RGBA, OSMESA_DEPTH_BITS, 0, OSMESA_PROFILE,
-                                  OSMESA_CORE_PROFILE, OSMESA_CONTEXT_MAJOR_VERSION, 4,
-                                  OSMESA_CONTEXT_MINOR_VERSION, minor, 0};
+        const int attributes[] = {OSMESA_FORMAT,
+                                  OSMESA_RGBA,
+                                  OSMESA_DEPTH_BITS,
+                                  0,
+                                  OSMESA_PROFILE,
+                                  OSMESA_CORE_PROFILE,
+                                  OSMESA_CONTEXT_MAJOR_VERSION,
+                                  4,
+                                  OSMESA_CONTEXT_MINOR_VERSION,
+                                  minor,
+                                  0};
         if (context == nullptr) context = create(attributes, nullptr);
     }
     if (context == nullptr)

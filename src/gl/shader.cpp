@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "gl/shader.h"
 
-#include <algorithm>
-#include <charconv>
+#include "base/file.h"
+#include "base/text.h"
 
 #include <spdlog/fmt/fmt.h>
 
-#include "base/file.h"
-#include "base/text.h"
+#include <algorithm>
+#include <charconv>
 
 namespace facet::gl {
 namespace {
@@ -25,10 +25,11 @@ public:
         if (std::find(out.files.begin(), out.files.end(), path) != out.files.end()) return {};
         auto text = read(path);
         if (!text || depth > max_include_depth)
-            return base::fail({.code = base::ErrorCode::internal,
-                               .file = "glsl/" + path,
-                               .what = depth > max_include_depth ? "includes nest too deep" : "cannot be read",
-                               .found = "included from " + from});
+            return base::fail(
+                {.code = base::ErrorCode::internal,
+                 .file = "glsl/" + path,
+                 .what = depth > max_include_depth ? "includes nest too deep" : "cannot be read",
+                 .found = "included from " + from});
         const std::size_t index = out.files.size();
         out.files.push_back(path);
         return expand(*text, path, index, depth);
@@ -72,11 +73,13 @@ private:
 /// Mesa: `0:LINE(COLUMN): error: …`; NVIDIA: `0(LINE) : error …`. Others are shown as they are.
 std::string at_own_place(std::string_view log, const ShaderText& text) {
     const std::string_view first = base::trimmed(log.substr(0, log.find('\n')));
-    if (first.size() < 3 || first[0] != '0' || (first[1] != ':' && first[1] != '(')) return std::string(first);
+    if (first.size() < 3 || first[0] != '0' || (first[1] != ':' && first[1] != '('))
+        return std::string(first);
     const char* const end = first.data() + first.size();
     std::size_t line = 0;
     const auto after = std::from_chars(first.data() + 2, end, line);
-    if (after.ec != std::errc() || line == 0 || line > text.origins.size()) return std::string(first);
+    if (after.ec != std::errc() || line == 0 || line > text.origins.size())
+        return std::string(first);
     const SourceLine& origin = text.origins[line - 1];
     return fmt::format("glsl/{}:{}: {}", text.files[origin.file], origin.line,
                        std::string_view(after.ptr, static_cast<std::size_t>(end - after.ptr)));
@@ -109,7 +112,8 @@ base::Result<ShaderText> assemble(const ShaderSources& sources, const std::strin
     assembler.out.text = fmt::format("#version 430 core\n{}", defines);
     const auto head = std::count(assembler.out.text.begin(), assembler.out.text.end(), '\n');
     assembler.out.origins.assign(static_cast<std::size_t>(head), {0, 1});
-    if (auto added = assembler.add(path, "the program", 0); !added) return tl::unexpected(added.error());
+    if (auto added = assembler.add(path, "the program", 0); !added)
+        return tl::unexpected(added.error());
     return std::move(assembler.out);
 }
 

@@ -1,6 +1,10 @@
-// Shader programs from GLSL files: own #include expansion, permutation defines, errors with file and line.
-// SPDX-License-Identifier: MIT
+// Shader programs from GLSL files: own #include expansion, permutation defines, errors with file
+// and line. SPDX-License-Identifier: MIT
 #pragma once
+
+#include "base/result.h"
+#include "gl/context.h"
+#include "gl/handle.h"
 
 #include <cstddef>
 #include <filesystem>
@@ -9,10 +13,6 @@
 #include <string_view>
 #include <vector>
 
-#include "base/result.h"
-#include "gl/context.h"
-#include "gl/handle.h"
-
 namespace facet::gl {
 
 /// A line of a file, counted from 1.
@@ -20,8 +20,9 @@ struct SourceLine {
     std::size_t file = 0;  ///< index into ShaderText::files
     std::size_t line = 0;
 };
-/// Assembled GLSL: `#include "path"` (from the glsl folder) is replaced by the file, once a path. `origins` says
-/// for each line where it came from; drivers do not agree on what #line does with a file's number.
+/// Assembled GLSL: `#include "path"` (from the glsl folder) is replaced by the file, once a path.
+/// `origins` says for each line where it came from; drivers do not agree on what #line does with a
+/// file's number.
 struct ShaderText {
     std::string text;
     std::vector<std::string> files;
@@ -35,8 +36,8 @@ struct ShaderSources {
 };
 
 /// Errors: internal, naming the file and the line of an include that is not there.
-[[nodiscard]] base::Result<ShaderText> assemble(const ShaderSources& sources, const std::string& path,
-                                                std::string_view defines);
+[[nodiscard]] base::Result<ShaderText> assemble(const ShaderSources& sources,
+                                                const std::string& path, std::string_view defines);
 
 /// A program of one vertex and one fragment file. `defines` holds `#define` lines.
 struct ProgramSpec {
@@ -48,7 +49,8 @@ struct ProgramSpec {
 [[nodiscard]] base::Result<Program> build_program(const Context& gl, const ShaderSources& sources,
                                                   const ProgramSpec& spec);
 
-/// Binds a uniform block or sampler of a program to a fixed place; a name the compiler dropped is skipped.
+/// Binds a uniform block or sampler of a program to a fixed place; a name the compiler dropped is
+/// skipped.
 void bind_block(const Context& gl, const Program& program, const char* block, GLuint binding);
 void bind_sampler(const Context& gl, const Program& program, const char* name, GLint unit);
 

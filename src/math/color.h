@@ -1,14 +1,15 @@
-// Colour: transfer functions and luminance. Linear is Rec.709 primaries, D65 white, unless a name says so.
-// SPDX-License-Identifier: MIT
+// Colour: transfer functions and luminance. Linear is Rec.709 primaries, D65 white, unless a name
+// says so. SPDX-License-Identifier: MIT
 #pragma once
-
-#include <cmath>
 
 #include "math/vector.h"
 
+#include <cmath>
+
 namespace facet::math {
 
-/// sRGB transfer, IEC 61966-2-1:1999, clause 4.2; linear [0, 1] -> encoded [0, 1]. Odd outside, not clamped.
+/// sRGB transfer, IEC 61966-2-1:1999, clause 4.2; linear [0, 1] -> encoded [0, 1]. Odd outside, not
+/// clamped.
 [[nodiscard]] inline float srgb_from_linear(float linear) {
     const float x = std::fabs(linear);
     const float y = x <= 0.0031308F ? 12.92F * x : 1.055F * std::pow(x, 1.0F / 2.4F) - 0.055F;

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdint>
-
 #include <glm/glm.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
+
+#include <cstdint>
 
 namespace facet::math {
 
@@ -45,11 +45,14 @@ struct Bounds {
         low = glm::min(low, point);
         high = glm::max(high, point);
     }
-    [[nodiscard]] Vec3 center() const noexcept { return is_empty() ? Vec3(0.0F) : (low + high) * 0.5F; }
+    [[nodiscard]] Vec3 center() const noexcept {
+        return is_empty() ? Vec3(0.0F) : (low + high) * 0.5F;
+    }
     [[nodiscard]] float diagonal() const noexcept { return is_empty() ? 0.0F : length(high - low); }
 };
 
-/// Unit direction towards (azimuth, elevation): azimuth 0 is +z, 90 is +x; elevation 90 is +y (contract).
+/// Unit direction towards (azimuth, elevation): azimuth 0 is +z, 90 is +x; elevation 90 is +y
+/// (contract).
 [[nodiscard]] inline Vec3 direction_from(float azimuth_deg, float elevation_deg) {
     const float a = glm::radians(azimuth_deg);
     const float e = glm::radians(elevation_deg);

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include "render/bench.h"
 
+#include "base/thread_pool.h"
+#include "render/session.h"
+#include "render/stopwatch.h"
+
 #include <sys/resource.h>
 
 #include <algorithm>
 #include <random>
-
-#include "base/thread_pool.h"
-#include "render/session.h"
-#include "render/stopwatch.h"
 
 namespace facet::render {
 namespace {
@@ -30,7 +30,8 @@ std::vector<Vec3> surface(const scene::Scene& scene) {
     std::size_t i = 0;
     for (const auto& instance : scene.instances)
         for (const Vec3& p : scene.meshes[instance.mesh.index].positions_m)
-            if (i++ % step == 0) points.emplace_back(instance.world_from_object * math::Vec4(p, 1.0F));
+            if (i++ % step == 0)
+                points.emplace_back(instance.world_from_object * math::Vec4(p, 1.0F));
     return points;
 }
 
@@ -41,11 +42,14 @@ double reach(const std::vector<Vec3>& points, const std::vector<Vec3>& lights, f
     return points.empty() ? 0.0 : static_cast<double>(hits) / static_cast<double>(points.size());
 }
 
-/// Lights over the surface, each a tenth of the model away from it; the range is found by bisection.
-std::vector<scene::Light> local_lights(const scene::Scene& scene, const BenchRequest& request, double& found) {
+/// Lights over the surface, each a tenth of the model away from it; the range is found by
+/// bisection.
+std::vector<scene::Light> local_lights(const scene::Scene& scene, const BenchRequest& request,
+                                       double& found) {
     const std::vector<Vec3> points = surface(scene);
     const float size = std::max(scene.bounds_m().diagonal(), 1e-6F);
-    std::mt19937 random(1);  // its sequence is the standard's; distributions are not, so they are not used
+    std::mt19937 random(
+        1);  // its sequence is the standard's; distributions are not, so they are not used
     const auto unit = [&] { return static_cast<float>(random()) / 4294967296.0F; };
     std::vector<Vec3> places;
     for (std::uint32_t i = 0; i < request.lights && !points.empty(); ++i) {
@@ -106,19 +110,22 @@ base::Result<BenchResult> bench(const BenchRequest& request, base::Log& log) {
     Rendered loaded;
     auto session = Session::create({request.scene, request.settings}, *plan, pool, log, loaded);
     if (!session) return tl::unexpected(session.error());
-    BenchResult result{.size = loaded.size, .backend = loaded.backend, .threads = pool.thread_count()};
+    BenchResult result{
+        .size = loaded.size, .backend = loaded.backend, .threads = pool.thread_count()};
     auto lights = local_lights(session->scene(), request, result.reach);
     lights.push_back({.kind = tables::LightKind::directional,
                       .intensity = 3.0F,
                       .direction = -math::direction_from(60.0F, 40.0F)});
     session->set_lights(lights);
     Stopwatch watch;
-    if (auto drawn = draw_frame(*session, 1.0, false, nullptr); !drawn) return tl::unexpected(drawn.error());
+    if (auto drawn = draw_frame(*session, 1.0, false, nullptr); !drawn)
+        return tl::unexpected(drawn.error());
     result.first_frame_ms = watch.lap_ms();
     const double exposure = plan->exposure ? *plan->exposure : session->measure_exposure(1);
     Samples samples;
     for (std::uint32_t i = 0; i < warm_up_frames + std::max(1U, request.frames); ++i)
-        if (auto drawn = draw_frame(*session, exposure, request.passes, i < warm_up_frames ? nullptr : &samples);
+        if (auto drawn = draw_frame(*session, exposure, request.passes,
+                                    i < warm_up_frames ? nullptr : &samples);
             !drawn)
             return tl::unexpected(drawn.error());
     result.median_ms = percentile(samples.frame, 0.5);

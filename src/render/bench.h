@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "base/log.h"
 #include "base/result.h"
 #include "tables/lights.h"
 #include "tables/settings.h"
+
+#include <string>
+#include <vector>
 
 namespace facet::render {
 
@@ -18,7 +18,7 @@ struct BenchRequest {
     std::uint32_t lights = 0;  ///< local lights, besides the one directional light
     std::vector<tables::LightKind> kinds = {tables::LightKind::point};
     std::uint32_t frames = 30;
-    bool passes = false;       ///< time each pass too, each waited for
+    bool passes = false;  ///< time each pass too, each waited for
 };
 
 struct BenchResult {
@@ -28,16 +28,16 @@ struct BenchResult {
     double median_ms = 0.0;
     double p5_ms = 0.0;
     double p95_ms = 0.0;
-    double gbuffer_ms = 0.0;   ///< medians of the passes; 0 where not asked for
+    double gbuffer_ms = 0.0;  ///< medians of the passes; 0 where not asked for
     double lighting_ms = 0.0;
     double post_ms = 0.0;
     double first_frame_ms = 0.0;
     double peak_rss_mb = 0.0;
-    double reach = 0.0;        ///< local lights that reach a surface point, on average
+    double reach = 0.0;  ///< local lights that reach a surface point, on average
 };
 
-/// A frame is G-buffer, lighting, background, blended surfaces and display encoding of one sample a pixel;
-/// reading back and writing files are not in it. Errors: as render().
+/// A frame is G-buffer, lighting, background, blended surfaces and display encoding of one sample a
+/// pixel; reading back and writing files are not in it. Errors: as render().
 [[nodiscard]] base::Result<BenchResult> bench(const BenchRequest& request, base::Log& log);
 
 }  // namespace facet::render

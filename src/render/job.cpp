@@ -11,9 +11,11 @@
 namespace facet::render {
 namespace {
 
-base::Result<scene::Loaded> load_scene(const Request& request, const Plan& plan, base::ThreadPool& pool) {
+base::Result<scene::Loaded> load_scene(const Request& request, const Plan& plan,
+                                       base::ThreadPool& pool) {
     const tables::Settings& settings = request.settings;
-    scene::LoadOptions options{.ignored_required = settings.ignore_required, .strict = settings.strict};
+    scene::LoadOptions options{.ignored_required = settings.ignore_required,
+                               .strict = settings.strict};
     options.allowed_folders.assign(settings.allow_read.begin(), settings.allow_read.end());
     if (!settings.base.empty()) options.base_folder = settings.base;
     if (request.scene != "-") return scene::load(request.scene, options, plan.limits, pool);

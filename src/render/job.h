@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <filesystem>
-#include <vector>
-
 #include "base/thread_pool.h"
 #include "render/plan.h"
 #include "render/render.h"
 #include "scene/environment.h"
 #include "scene/scene.h"
+
+#include <filesystem>
+#include <vector>
 
 namespace facet::render {
 
@@ -22,6 +22,7 @@ struct Job {
 };
 
 /// Loads, applies --no-file-lights, --light and --set, and resolves the camera.
-[[nodiscard]] base::Result<Job> load_job(const Request& request, const Plan& plan, base::ThreadPool& pool);
+[[nodiscard]] base::Result<Job> load_job(const Request& request, const Plan& plan,
+                                         base::ThreadPool& pool);
 
 }  // namespace facet::render

@@ -2,15 +2,16 @@
 // SPDX-License-Identifier: MIT
 #include "render/plan.h"
 
-#include <array>
-#include <cmath>
-#include <string>
-
-#include <spdlog/fmt/fmt.h>
-
 #include "base/text.h"
 #include "brdf/choice.h"
 #include "math/color.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <string>
 
 namespace facet::render {
 namespace {
@@ -33,11 +34,13 @@ tl::unexpected<base::Error> usage(std::string option, std::string what, std::str
 /// "did you mean a, b", or the whole list where nothing is near.
 std::string suggestion(std::string_view text, std::span<const std::string> names) {
     const auto near = base::nearest(text, names);
-    return near.empty() ? "one of " + base::join(names, ", ") : "did you mean " + base::join(near, ", ");
+    return near.empty() ? "one of " + base::join(names, ", ")
+                        : "did you mean " + base::join(near, ", ");
 }
 
 /// Index of `text` among `names`.
-Result<std::size_t> choose(const char* option, std::string_view text, std::span<const std::string> names) {
+Result<std::size_t> choose(const char* option, std::string_view text,
+                           std::span<const std::string> names) {
     for (std::size_t i = 0; i < names.size(); ++i)
         if (names[i] == text) return i;
     return usage(option, "no such value", std::string(text), suggestion(text, names));
@@ -54,10 +57,10 @@ std::optional<math::Vec3> parse_hex_color(std::string_view text) {
     if (text.size() != 7 || text[0] != '#') return std::nullopt;
     math::Vec3 color;
     for (int c = 0; c < 3; ++c) {
-        const std::string digits(text.substr(1 + 2 * static_cast<std::size_t>(c), 2));
-        char* end = nullptr;
-        const long code = std::strtol(digits.c_str(), &end, 16);
-        if (end != digits.c_str() + 2) return std::nullopt;
+        const std::string_view digits = text.substr(1 + 2 * static_cast<std::size_t>(c), 2);
+        unsigned code = 0;
+        const auto parsed = std::from_chars(digits.data(), digits.data() + 2, code, 16);
+        if (parsed.ec != std::errc() || parsed.ptr != digits.data() + 2) return std::nullopt;
         color[c] = math::linear_from_srgb(static_cast<float>(code) / 255.0F);
     }
     return color;
@@ -67,24 +70,27 @@ base::Status plan_size(const tables::Settings& settings, Plan& plan) {
     plan.picture = settings.size;
     if (plan.picture.width == 0 || plan.picture.height == 0 || plan.picture.width > max_side_px ||
         plan.picture.height > max_side_px)
-        return base::fail({.code = plan.picture.pixels() == 0 ? ErrorCode::usage : ErrorCode::limit_reached,
-                           .file = "--size",
-                           .what = fmt::format("sides are 1 to {} pixels", max_side_px),
-                           .found = fmt::format("{}x{}", plan.picture.width, plan.picture.height),
-                           .remedy = "a smaller --size"});
+        return base::fail(
+            {.code = plan.picture.pixels() == 0 ? ErrorCode::usage : ErrorCode::limit_reached,
+             .file = "--size",
+             .what = fmt::format("sides are 1 to {} pixels", max_side_px),
+             .found = fmt::format("{}x{}", plan.picture.width, plan.picture.height),
+             .remedy = "a smaller --size"});
     plan.region = {0, 0, plan.picture};
     if (settings.region.empty()) return {};
     const auto parts = base::split(settings.region, ',');
-    const auto sides = parts.size() == 3 ? base::split(parts[2], 'x') : std::vector<std::string_view>{};
+    const auto sides =
+        parts.size() == 3 ? base::split(parts[2], 'x') : std::vector<std::string_view>{};
     if (sides.size() == 2) {
         const auto x = base::parse_integer(parts[0]);
         const auto y = base::parse_integer(parts[1]);
         const auto w = base::parse_integer(sides[0]);
         const auto h = base::parse_integer(sides[1]);
-        if (x && y && w && h && *x >= 0 && *y >= 0 && *w > 0 && *h > 0 && *w <= settings.size.width &&
-            *h <= settings.size.height && *x <= settings.size.width - *w &&
-            *y <= settings.size.height - *h) {
-            plan.region = {static_cast<std::uint32_t>(*x), static_cast<std::uint32_t>(*y),
+        if (x && y && w && h && *x >= 0 && *y >= 0 && *w > 0 && *h > 0 &&
+            *w <= settings.size.width && *h <= settings.size.height &&
+            *x <= settings.size.width - *w && *y <= settings.size.height - *h) {
+            plan.region = {static_cast<std::uint32_t>(*x),
+                           static_cast<std::uint32_t>(*y),
                            {static_cast<std::uint32_t>(*w), static_cast<std::uint32_t>(*h)}};
             return {};
         }
@@ -130,7 +136,8 @@ base::Status plan_background(const tables::Settings& settings, Plan& plan) {
             return {};
         }
     }
-    return usage("--background", "not a background", text, "env, none, #rrggbb, or blur:X with X in 0..1");
+    return usage("--background", "not a background", text,
+                 "env, none, #rrggbb, or blur:X with X in 0..1");
 }
 
 base::Status plan_exposure(const tables::Settings& settings, Plan& plan) {
@@ -139,13 +146,15 @@ base::Status plan_exposure(const tables::Settings& settings, Plan& plan) {
     if (!tonemap) return tl::unexpected(tonemap.error());
     plan.tonemap = static_cast<tables::Tonemap>(*tonemap);
     if (settings.ev && settings.exposure != "auto")
-        return usage("--ev", "cannot be given together with --exposure", "", "leave one of them out");
+        return usage("--ev", "cannot be given together with --exposure", "",
+                     "leave one of them out");
     // ISO 12232 with q = 0.65: the saturation luminance of EV 0 is 1.2 nit.
     if (settings.ev) plan.exposure = 1.0 / (1.2 * std::exp2(static_cast<double>(*settings.ev)));
     if (settings.exposure == "auto") return {};
     const auto factor = base::parse_number(settings.exposure);
     if (!factor || *factor <= 0.0 || *factor > 1e12)
-        return usage("--exposure", "not a factor above 0 or auto", settings.exposure, "for example 1");
+        return usage("--exposure", "not a factor above 0 or auto", settings.exposure,
+                     "for example 1");
     plan.exposure = *factor;
     return {};
 }
@@ -156,7 +165,8 @@ base::Status plan_aovs(const tables::Settings& settings, Plan& plan) {
         if (name == "beauty") continue;
         if (name == "all") {
             plan.aovs.clear();
-            for (std::size_t i = 0; i < names.size(); ++i) plan.aovs.push_back(static_cast<tables::Aov>(i));
+            for (std::size_t i = 0; i < names.size(); ++i)
+                plan.aovs.push_back(static_cast<tables::Aov>(i));
             return {};
         }
         const auto aov = choose("--aov", name, names);

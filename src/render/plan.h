@@ -2,9 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <optional>
-#include <vector>
-
 #include "base/limits.h"
 #include "base/result.h"
 #include "frame/background/background.h"
@@ -15,6 +12,9 @@
 #include "tables/brdf_terms.h"
 #include "tables/settings.h"
 #include "tables/tonemaps.h"
+
+#include <optional>
+#include <vector>
 
 namespace facet::render {
 

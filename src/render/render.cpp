@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "render/render.h"
 
-#include <cmath>
-
 #include "base/thread_pool.h"
 #include "render/plan.h"
 #include "render/session.h"
 #include "render/stopwatch.h"
+
+#include <cmath>
 
 namespace facet::render {
 namespace {
@@ -57,9 +57,11 @@ base::Result<Rendered> render(const Request& request, base::Log& log) {
     auto session = Session::create(request, *plan, pool, log, out);
     if (!session) return tl::unexpected(session.error());
     Stopwatch watch;
-    if (auto drawn = draw(*session, request, *plan, out); !drawn) return tl::unexpected(drawn.error());
+    if (auto drawn = draw(*session, request, *plan, out); !drawn)
+        return tl::unexpected(drawn.error());
     out.ms.render = watch.lap_ms();
-    log.debug("load {:.0f} ms, upload {:.0f} ms, render {:.0f} ms", out.ms.load, out.ms.upload, out.ms.render);
+    log.debug("load {:.0f} ms, upload {:.0f} ms, render {:.0f} ms", out.ms.load, out.ms.upload,
+              out.ms.render);
     return out;
 }
 

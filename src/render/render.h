@@ -2,10 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <filesystem>
-#include <string>
-#include <vector>
-
 #include "base/log.h"
 #include "base/result.h"
 #include "image/image.h"
@@ -13,13 +9,18 @@
 #include "scene/scene.h"
 #include "tables/settings.h"
 
+#include <filesystem>
+#include <string>
+#include <vector>
+
 namespace facet::render {
 
 /// What a user asks for: a scene by name ("builtin:showcase", a path, "-") and the settings.
 struct Request {
     std::string scene;
     tables::Settings settings;
-    bool want_linear = false;  ///< the output holds radiance (EXR, HDR): 32-bit float beauty is returned too
+    bool want_linear =
+        false;  ///< the output holds radiance (EXR, HDR): 32-bit float beauty is returned too
 };
 
 /// Milliseconds of wall clock.
@@ -33,10 +34,12 @@ struct Times {
 /// A finished picture.
 struct Rendered {
     math::Extent size;
-    image::Image display;              ///< RGBA u8 or u16 (--depth 16), sRGB-encoded, straight alpha; empty for want_linear
-    std::vector<image::Layer> layers;  ///< f32: beauty "" first (want_linear only), then the AOVs asked for
-    double exposure = 1.0;             ///< the factor used
-    std::string backend;               ///< "egl (llvmpipe (LLVM 15.0.6, 256 bits))"
+    image::Image display;  ///< RGBA u8 or u16 (--depth 16), sRGB-encoded, straight alpha; empty for
+                           ///< want_linear
+    std::vector<image::Layer>
+        layers;             ///< f32: beauty "" first (want_linear only), then the AOVs asked for
+    double exposure = 1.0;  ///< the factor used
+    std::string backend;    ///< "egl (llvmpipe (LLVM 15.0.6, 256 bits))"
     std::uint64_t triangles = 0;
     std::size_t materials = 0;
     base::Warnings warnings;
@@ -44,11 +47,13 @@ struct Rendered {
     Times ms;
 };
 
-/// Loads, uploads, renders. Errors: those of the loader, of the settings (usage), no_backend, limit_reached.
+/// Loads, uploads, renders. Errors: those of the loader, of the settings (usage), no_backend,
+/// limit_reached.
 [[nodiscard]] base::Result<Rendered> render(const Request& request, base::Log& log);
 
-/// render() and the file, or files: AOVs go into an EXR, or beside other formats as STEM.AOV.png. The format is
-/// chosen by `output`'s ending. Everything that can be refused is refused before rendering.
+/// render() and the file, or files: AOVs go into an EXR, or beside other formats as STEM.AOV.png.
+/// The format is chosen by `output`'s ending. Everything that can be refused is refused before
+/// rendering.
 [[nodiscard]] base::Result<Rendered> render_to_file(const Request& request,
                                                     const std::filesystem::path& output,
                                                     base::Log& log);

@@ -2,18 +2,18 @@
 // SPDX-License-Identifier: MIT
 #include "render/session.h"
 
-#include <future>
-
 #include "base/resources.h"
 #include "brdf/albedo.h"
 #include "brdf/glsl_text.h"
 #include "frame/output/exposure.h"
 #include "render/stopwatch.h"
 
+#include <future>
+
 namespace facet::render {
 
-base::Result<Session> Session::create(const Request& request, const Plan& plan, base::ThreadPool& pool,
-                                      base::Log& log, Rendered& out) {
+base::Result<Session> Session::create(const Request& request, const Plan& plan,
+                                      base::ThreadPool& pool, base::Log& log, Rendered& out) {
     Stopwatch watch;
     Session session(plan, pool);
     // The context comes up while the files are read: it waits for the driver, they for the decoder.
@@ -31,7 +31,8 @@ base::Result<Session> Session::create(const Request& request, const Plan& plan, 
     out.materials = session.job_.scene.materials.size();
     out.warnings = session.job_.warnings;
     out.reads = session.job_.reads;
-    if (auto s = session.upload(request.settings, out.warnings); !s) return tl::unexpected(s.error());
+    if (auto s = session.upload(request.settings, out.warnings); !s)
+        return tl::unexpected(s.error());
     out.ms.upload = watch.lap_ms();
     return session;
 }
@@ -48,11 +49,11 @@ base::Status Session::upload(const tables::Settings& settings, base::Warnings& w
     if (!scene) return tl::unexpected(scene.error());
     scene_ = std::move(*scene);
     const brdf::AlbedoTable table = brdf::albedo_table(plan_->brdf);
-    auto environment = frame::upload_environment(
-        *gl_, job_.environment,
-        {settings.env_rotation, settings.env_intensity,
-         plan_->background.kind == frame::BackgroundKind::sharp},
-        table.texels, table.size, *pool_, warnings);
+    auto environment =
+        frame::upload_environment(*gl_, job_.environment,
+                                  {settings.env_rotation, settings.env_intensity,
+                                   plan_->background.kind == frame::BackgroundKind::sharp},
+                                  table.texels, table.size, *pool_, warnings);
     if (!environment) return tl::unexpected(environment.error());
     environment_ = std::move(*environment);
     lights_ = std::make_unique<frame::PackedLights>(frame::pack_lights(job_.scene.lights));
@@ -90,7 +91,8 @@ base::Status Session::display(double exposure, std::uint32_t count) {
         .frame_count = count,
         .sample = plan_->display_sample,
         .dither = !plan_->is_draft && plan_->display_sample == image::Sample::u8};
-    if (plan_->background.kind == frame::BackgroundKind::color) settings.background = plan_->background.color;
+    if (plan_->background.kind == frame::BackgroundKind::color)
+        settings.background = plan_->background.color;
     return frame_->display(*gl_, settings);
 }
 
@@ -99,9 +101,10 @@ void Session::set_lights(std::span<const scene::Light> lights) {
 }
 
 image::Layer Session::read_beauty(double exposure, std::uint32_t count) const {
-    image::Layer layer{.name = "",
-                       .channels = {"R", "G", "B", "A"},
-                       .image = frame::read_radiance(*gl_, frame_->sum_framebuffer(count), frame_->size())};
+    image::Layer layer{
+        .name = "",
+        .channels = {"R", "G", "B", "A"},
+        .image = frame::read_radiance(*gl_, frame_->sum_framebuffer(count), frame_->size())};
     const float share = 1.0F / static_cast<float>(count);
     const bool over_color = plan_->background.kind == frame::BackgroundKind::color;
     const math::Vec3 under = plan_->background.color / static_cast<float>(exposure);

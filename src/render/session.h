@@ -1,9 +1,6 @@
-// A scene on the GL, ready to be drawn as often as wanted: what render(), the benchmark and the studio share.
-// SPDX-License-Identifier: MIT
+// A scene on the GL, ready to be drawn as often as wanted: what render(), the benchmark and the
+// studio share. SPDX-License-Identifier: MIT
 #pragma once
-
-#include <optional>
-#include <string>
 
 #include "base/log.h"
 #include "base/thread_pool.h"
@@ -11,14 +8,18 @@
 #include "render/job.h"
 #include "render/plan.h"
 
+#include <optional>
+#include <string>
+
 namespace facet::render {
 
 class Session {
 public:
-    /// Loads while the context comes up, then uploads. Fills the times, counts and warnings of `out`.
-    /// `plan`, `pool` and `log` outlive the session. Errors: as render().
+    /// Loads while the context comes up, then uploads. Fills the times, counts and warnings of
+    /// `out`. `plan`, `pool` and `log` outlive the session. Errors: as render().
     [[nodiscard]] static base::Result<Session> create(const Request& request, const Plan& plan,
-                                                      base::ThreadPool& pool, base::Log& log, Rendered& out);
+                                                      base::ThreadPool& pool, base::Log& log,
+                                                      Rendered& out);
 
     [[nodiscard]] base::Status draw(std::uint32_t index, std::uint32_t count,
                                     frame::PassTimes* times = nullptr);
@@ -35,7 +36,7 @@ public:
     [[nodiscard]] image::Layer read_beauty(double exposure, std::uint32_t count) const;
     [[nodiscard]] std::vector<image::Layer> read_aovs(std::uint32_t count) const;
     /// Returns when every pixel drawn so far is complete.
-    void finish() const { gl_->api().Finish(); }
+    void finish() const { gl_->finish(); }
 
 private:
     Session(const Plan& plan, base::ThreadPool& pool) : plan_(&plan), pool_(&pool) {}

@@ -1,17 +1,18 @@
 // A picture into its file, and the AOVs into or beside it.
 // SPDX-License-Identifier: MIT
-#include <algorithm>
-#include <chrono>
-#include <cmath>
-
-#include <spdlog/fmt/fmt.h>
+#include "image/write.h"
 
 #include "base/file.h"
 #include "base/text.h"
-#include "image/write.h"
 #include "math/color.h"
 #include "render/render.h"
 #include "tables/aovs.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
 
 namespace facet::render {
 namespace {
@@ -94,7 +95,8 @@ image::Image viewable(const image::Layer& layer) {
             const float v = values[i * channels + (channels == 3 ? c : 0)];
             float shown = v;
             if (row.png == tables::PngCode::signed_unit) shown = v * 0.5F + 0.5F;
-            if (row.png == tables::PngCode::range) shown = std::isfinite(v) ? (v - low) / (high - low) : 1.0F;
+            if (row.png == tables::PngCode::range)
+                shown = std::isfinite(v) ? (v - low) / (high - low) : 1.0F;
             color[static_cast<int>(c)] = shown;
         }
         if (row.png == tables::PngCode::id_color) color = id_color(values[i * channels]);
@@ -112,10 +114,35 @@ base::Status write_side_files(const fs::path& output, const std::vector<image::L
         if (layer.name.empty()) continue;
         fs::path side = output;
         side.replace_extension("." + layer.name + ".png");
-        const auto bytes = image::encode(viewable(layer), {.format = ImageFormat::png, .fast = true});
+        const auto bytes =
+            image::encode(viewable(layer), {.format = ImageFormat::png, .fast = true});
         if (!bytes) return tl::unexpected(bytes.error());
         if (auto written = base::write_file_atomically(side, *bytes); !written) return written;
     }
+    return {};
+}
+
+/// What can be known only after loading: --strict, and an output that is one of the files read
+/// (faults, F3).
+base::Status check_result(const Request& request, const fs::path& output,
+                          const Rendered& rendered) {
+    if (request.settings.strict && !rendered.warnings.empty()) {
+        const base::Warning& w = rendered.warnings.front();
+        return base::fail({.code = base::ErrorCode::input_invalid,
+                           .file = w.file,
+                           .where = w.where,
+                           .what = w.what,
+                           .found = w.found,
+                           .remedy = "--strict makes this warning an error"});
+    }
+    std::error_code error;
+    for (const fs::path& read : rendered.reads)
+        if (fs::equivalent(read, output, error))
+            return base::fail({.code = base::ErrorCode::usage,
+                               .file = output.string(),
+                               .what = "the output is one of the files read",
+                               .found = read.string(),
+                               .remedy = "another name for the output"});
     return {};
 }
 
@@ -128,27 +155,33 @@ base::Result<base::Bytes> encode(const Rendered& rendered, const image::WriteOpt
 
 }  // namespace
 
-base::Result<Rendered> render_to_file(const Request& request, const fs::path& output, base::Log& log) {
+base::Result<Rendered> render_to_file(const Request& request, const fs::path& output,
+                                      base::Log& log) {
     const auto format = format_by_ending(output);
     if (!format) return tl::unexpected(format.error());
     const tables::ImageFormatRow& row = tables::row(*format);
     const auto depth = depth_for(row, request.settings.depth);
     if (!depth) return tl::unexpected(depth.error());
-    if (auto writable = base::check_writable(output); !writable) return tl::unexpected(writable.error());
+    if (auto writable = base::check_writable(output); !writable)
+        return tl::unexpected(writable.error());
     Request wanted = request;
     wanted.want_linear = row.scene_linear;
     auto rendered = render(wanted, log);
     if (!rendered) return rendered;
+    if (auto allowed = check_result(request, output, *rendered); !allowed)
+        return tl::unexpected(allowed.error());
     const auto start = std::chrono::steady_clock::now();
     const image::WriteOptions options{
         .format = *format,
         .depth = *depth,
-        .metadata = {{"Software", "Facet"}, {"facet.exposure", fmt::format("{}", rendered->exposure)}},
+        .metadata = {{"Software", "Facet"},
+                     {"facet.exposure", fmt::format("{}", rendered->exposure)}},
         .fast = request.settings.quality == "draft"};
     const auto bytes = encode(*rendered, options);
     if (!bytes) return tl::unexpected(base::in_file(bytes.error(), output.string()));
     if (!row.layers)
-        if (auto sides = write_side_files(output, rendered->layers); !sides) return tl::unexpected(sides.error());
+        if (auto sides = write_side_files(output, rendered->layers); !sides)
+            return tl::unexpected(sides.error());
     if (auto written = base::write_file_atomically(output, *bytes); !written)
         return tl::unexpected(written.error());
     rendered->ms.write =

@@ -2,24 +2,25 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <string>
-
 #include "base/result.h"
 #include "math/vector.h"
 #include "scene/scene.h"
 
+#include <string>
+
 namespace facet::scene {
 
-/// The camera that `spec` names: a camera's or its node's name, its index, `auto` (the file's first camera, else
-/// framed on the model), or `orbit:azimuth=…,elevation=…,distance=…,target=x y z` (degrees, metres).
-/// `fov_deg` above 0 replaces the vertical angle. `size` is the picture's. Never gives a NaN, whatever the
-/// model's extent. Errors: usage (unknown name or key, with what there is).
-[[nodiscard]] base::Result<Camera> resolve_camera(const Scene& scene, const std::string& spec, float fov_deg,
-                                                  math::Extent size);
+/// The camera that `spec` names: a camera's or its node's name, its index, `auto` (the file's first
+/// camera, else framed on the model), or `orbit:azimuth=…,elevation=…,distance=…,target=x y z`
+/// (degrees, metres). `fov_deg` above 0 replaces the vertical angle. `size` is the picture's. Never
+/// gives a NaN, whatever the model's extent. Errors: usage (unknown name or key, with what there
+/// is).
+[[nodiscard]] base::Result<Camera> resolve_camera(const Scene& scene, const std::string& spec,
+                                                  float fov_deg, math::Extent size);
 
 [[nodiscard]] Mat4 view_from_world(const Camera& camera);
-/// GL's clip space, depth -1..1. The vertical angle (or ymag) stays when the aspect differs from the camera's.
-/// `jitter_px` moves the sample within its pixel: relative to the centre, y down.
+/// GL's clip space, depth -1..1. The vertical angle (or ymag) stays when the aspect differs from
+/// the camera's. `jitter_px` moves the sample within its pixel: relative to the centre, y down.
 [[nodiscard]] Mat4 clip_from_view(const Camera& camera, math::Extent size, Vec2 jitter_px);
 
 }  // namespace facet::scene

@@ -1,6 +1,11 @@
-// The scene: a plain value that an importer fills, the studio edits, and the frame and the tracer read.
-// SPDX-License-Identifier: MIT
+// The scene: a plain value that an importer fills, the studio edits, and the frame and the tracer
+// read. SPDX-License-Identifier: MIT
 #pragma once
+
+#include "image/image.h"
+#include "math/vector.h"
+#include "tables/lights.h"
+#include "tables/material.h"
 
 #include <array>
 #include <cstdint>
@@ -8,11 +13,6 @@
 #include <optional>
 #include <string>
 #include <vector>
-
-#include "image/image.h"
-#include "math/vector.h"
-#include "tables/lights.h"
-#include "tables/material.h"
 
 namespace facet::scene {
 
@@ -40,15 +40,16 @@ struct Texture {
     ImageId image;
     Wrap wrap_u = Wrap::repeat;
     Wrap wrap_v = Wrap::repeat;
-    bool nearest = false;         ///< magnified without filtering
-    std::uint32_t uv_set = 0;     ///< 0 or 1
-    Mat3 uv_from_uv{1.0F};        ///< KHR_texture_transform: T * R * S
+    bool nearest = false;      ///< magnified without filtering
+    std::uint32_t uv_set = 0;  ///< 0 or 1
+    Mat3 uv_from_uv{1.0F};     ///< KHR_texture_transform: T * R * S
 };
 
 struct Material {
     std::string name;
     tables::MaterialValues values;
-    std::array<std::optional<Texture>, tables::material_textures.size()> textures;  ///< by TextureSlot
+    std::array<std::optional<Texture>, tables::material_textures.size()>
+        textures;  ///< by TextureSlot
     AlphaMode alpha_mode = AlphaMode::opaque;
     bool double_sided = false;
     bool unlit = false;
@@ -63,33 +64,34 @@ struct Mesh {
     std::string name;
     MaterialId material;
     std::vector<Vec3> positions_m;
-    std::vector<Vec3> normals;      ///< unit; the importer always fills them
-    std::vector<Vec4> tangents;     ///< xyz unit, w = handedness; empty where no normal map needs them
+    std::vector<Vec3> normals;   ///< unit; the importer always fills them
+    std::vector<Vec4> tangents;  ///< xyz unit, w = handedness; empty where no normal map needs them
     std::vector<Vec2> uv0;
     std::vector<Vec2> uv1;
-    std::vector<Vec4> colors;       ///< linear Rec.709, straight alpha
+    std::vector<Vec4> colors;            ///< linear Rec.709, straight alpha
     std::vector<std::uint32_t> indices;  ///< three a triangle, counter-clockwise is front
-    math::Bounds bounds_m;          ///< of positions_m
+    math::Bounds bounds_m;               ///< of positions_m
 };
 
-/// A mesh placed in the world. Where world_from_object mirrors (negative determinant) the importer has turned
-/// the mesh's triangles and handedness round already, in a copy of its own: as placed, counter-clockwise is
-/// front and bitangent = w cross(n, t), always. Skinned meshes are in world space at their rest pose.
+/// A mesh placed in the world. Where world_from_object mirrors (negative determinant) the importer
+/// has turned the mesh's triangles and handedness round already, in a copy of its own: as placed,
+/// counter-clockwise is front and bitangent = w cross(n, t), always. Skinned meshes are in world
+/// space at their rest pose.
 struct Instance {
     MeshId mesh;
     Mat4 world_from_object{1.0F};
-    std::string node;               ///< name of the node it came from
-    std::uint32_t object_id = 0;    ///< node index + 1; 0 is the background
+    std::string node;             ///< name of the node it came from
+    std::uint32_t object_id = 0;  ///< node index + 1; 0 is the background
 };
 
 struct Light {
     std::string name;
     tables::LightKind kind = tables::LightKind::directional;
-    Vec3 color{1.0F};               ///< linear Rec.709 tint
-    float intensity = 1.0F;         ///< lux (directional) or candela (point, spot)
+    Vec3 color{1.0F};        ///< linear Rec.709 tint
+    float intensity = 1.0F;  ///< lux (directional) or candela (point, spot)
     Vec3 position_m{0.0F};
     Vec3 direction{0.0F, 0.0F, -1.0F};  ///< unit; where the light shines to
-    float range_m = 0.0F;           ///< 0: no end
+    float range_m = 0.0F;               ///< 0: no end
     float inner_cone_rad = 0.0F;
     float outer_cone_rad = math::pi / 4.0F;
 };
@@ -98,19 +100,19 @@ enum class Projection : std::uint8_t { perspective, orthographic };
 
 /// Looks along -z of its own frame, y up.
 struct Camera {
-    std::string name;               ///< of the camera, else of its node
+    std::string name;  ///< of the camera, else of its node
     std::string node;
-    Mat4 world_from_view{1.0F};     ///< rotation and translation only
+    Mat4 world_from_view{1.0F};  ///< rotation and translation only
     Projection projection = Projection::perspective;
     float yfov_rad = 0.8F;
-    float ymag_m = 1.0F;            ///< half height of an orthographic view
+    float ymag_m = 1.0F;  ///< half height of an orthographic view
     float near_m = 0.01F;
-    float far_m = 0.0F;             ///< 0: infinite
+    float far_m = 0.0F;  ///< 0: infinite
 };
 
 /// An image the materials use; null where it could not be read and a white pixel stands in.
 struct SceneImage {
-    std::string name;               ///< uri or name, for messages
+    std::string name;  ///< uri or name, for messages
     std::shared_ptr<const image::Image> pixels;
 };
 

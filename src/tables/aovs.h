@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "tables/describe.h"
+
 #include <array>
 #include <cstddef>
 #include <string_view>
-
-#include "tables/describe.h"
 
 namespace facet::tables {
 

@@ -1,5 +1,5 @@
-// The choice of BRDF terms: what brdf_terms.def and brdf_slots.def say, as types and as descriptions.
-// SPDX-License-Identifier: MIT
+// The choice of BRDF terms: what brdf_terms.def and brdf_slots.def say, as types and as
+// descriptions. SPDX-License-Identifier: MIT
 #pragma once
 
 #include <array>
@@ -7,9 +7,9 @@
 #include <functional>
 #include <string_view>
 
-/// In a row of brdf_terms.def, `FACET_SELECT(FACET_WANT_##slot text)` is `text` where FACET_WANT_SLOT is defined
-/// as `~,`, and nothing for every other slot: the undefined name swallows the text, up to a comma outside
-/// parentheses. So one table serves a switch per slot.
+/// In a row of brdf_terms.def, `FACET_SELECT(FACET_WANT_##slot text)` is `text` where
+/// FACET_WANT_SLOT is defined as `~,`, and nothing for every other slot: the undefined name
+/// swallows the text, up to a comma outside parentheses. So one table serves a switch per slot.
 #define FACET_REST(first, ...) __VA_ARGS__
 #define FACET_SELECT(...) FACET_REST(__VA_ARGS__)
 
@@ -56,7 +56,8 @@ enum class Width {
 struct BrdfChoice {
     Distribution distribution{};
     Masking masking{};              ///< for lights
-    Masking environment_masking{};  ///< for environment light; differs from `masking` in the lecture's set only
+    Masking environment_masking{};  ///< for environment light; differs from `masking` in the
+                                    ///< lecture's set only
     Fresnel fresnel{};
     Diffuse diffuse{};
     Multiscatter multiscatter{};
@@ -90,7 +91,7 @@ inline constexpr auto brdf_slots = std::to_array<BrdfSlot>({
 
 /// What a row of brdf_terms.def says beside its names.
 struct BrdfTermNotes {
-    bool lesson = false;            ///< for `facet brdf` and lessons, not for pictures
+    bool lesson = false;  ///< for `facet brdf` and lessons, not for pictures
     std::string_view help = {};
     std::string_view follows = {};  ///< the slot whose value chooses this row; empty: the row's own
 };

@@ -1,14 +1,14 @@
-// The numbers and textures of a material: material.def's and material_textures.def's only expansion.
-// SPDX-License-Identifier: MIT
+// The numbers and textures of a material: material.def's and material_textures.def's only
+// expansion. SPDX-License-Identifier: MIT
 #pragma once
+
+#include "math/vector.h"
+#include "tables/describe.h"
 
 #include <array>
 #include <cstddef>
 #include <string_view>
 #include <variant>
-
-#include "math/vector.h"
-#include "tables/describe.h"
 
 namespace facet::tables {
 

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "math/vector.h"
+#include "tables/describe.h"
+
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -9,9 +12,6 @@
 #include <string_view>
 #include <variant>
 #include <vector>
-
-#include "math/vector.h"
-#include "tables/describe.h"
 
 namespace facet::tables {
 
@@ -31,8 +31,8 @@ struct Settings {
 /// One row of settings.def.
 struct Setting {
     std::string_view key;
-    std::variant<Extent Settings::*, Text Settings::*, Number Settings::*, OptionalNumber Settings::*,
-                 Count Settings::*, Flag Settings::*, List Settings::*>
+    std::variant<Extent Settings::*, Text Settings::*, Number Settings::*,
+                 OptionalNumber Settings::*, Count Settings::*, Flag Settings::*, List Settings::*>
         field;
     Range range{};
     std::string_view value = {};  ///< what stands for the value in help

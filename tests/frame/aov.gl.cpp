@@ -1,25 +1,30 @@
 // What the G-buffer holds, read as AOVs, on shapes whose answer is known.
 // SPDX-License-Identifier: MIT
-#include <gtest/gtest.h>
-
 #include "support/frame_harness.h"
+
+#include <gtest/gtest.h>
 
 namespace facet::test {
 namespace {
 
-/// A quad 2 m before an orthographic camera of half height 2 m: it covers the middle half of the picture.
+/// A quad 2 m before an orthographic camera of half height 2 m: it covers the middle half of the
+/// picture.
 class AovTest : public testing::Test {
 protected:
-    AovTest() : shot{.scene = scene_of(quad(2.0F), material({0.5F, 0.25F, 0.75F}, 0.2F, 0.6F)),
-                     .camera = camera_on_z(2.0F, 2.0F)} {
-        for (std::size_t i = 0; i < tables::aovs.size(); ++i) shot.aovs.push_back(static_cast<tables::Aov>(i));
+    AovTest()
+        : shot{.scene = scene_of(quad(2.0F), material({0.5F, 0.25F, 0.75F}, 0.2F, 0.6F)),
+               .camera = camera_on_z(2.0F, 2.0F)} {
+        for (std::size_t i = 0; i < tables::aovs.size(); ++i)
+            shot.aovs.push_back(static_cast<tables::Aov>(i));
     }
 
     /// Value of channel `c` at a pixel of the AOV `name`.
-    float value(const Picture& picture, const char* name, std::uint32_t x, std::uint32_t y, std::size_t c = 0) {
+    float value(const Picture& picture, const char* name, std::uint32_t x, std::uint32_t y,
+                std::size_t c = 0) {
         for (const image::Layer& layer : picture.aovs)
             if (layer.name == name)
-                return layer.image.as<float>()[(std::size_t{y} * 64 + x) * layer.image.channels + c];
+                return layer.image
+                    .as<float>()[(std::size_t{y} * 64 + x) * layer.image.channels + c];
         ADD_FAILURE() << "no AOV " << name;
         return 0.0F;
     }
@@ -31,9 +36,9 @@ protected:
 TEST_F(AovTest, TheMaterialComesBackAsItWasSet) {
     const auto picture = harness.draw(shot);
     ASSERT_TRUE(picture) << base::to_line(picture.error());
-    EXPECT_NEAR(value(*picture, "albedo", 32, 32, 0), 0.5F, 0.004F);  // 8-bit sRGB
-    EXPECT_NEAR(value(*picture, "albedo", 32, 32, 1), 0.25F, 0.004F);
-    EXPECT_NEAR(value(*picture, "albedo", 32, 32, 2), 0.75F, 0.004F);
+    EXPECT_NEAR(value(*picture, "albedo", 32, 32, 0), 0.5F, 1e-5F);  // 16 bits
+    EXPECT_NEAR(value(*picture, "albedo", 32, 32, 1), 0.25F, 1e-5F);
+    EXPECT_NEAR(value(*picture, "albedo", 32, 32, 2), 0.75F, 1e-5F);
     EXPECT_NEAR(value(*picture, "metallic", 32, 32), 0.2F, 0.5F / 255.0F);
     EXPECT_NEAR(value(*picture, "roughness", 32, 32), 0.6F, 0.5F / 255.0F);
     EXPECT_NEAR(value(*picture, "ao", 32, 32), 1.0F, 1e-6F);
@@ -47,12 +52,14 @@ TEST_F(AovTest, DepthIsTheDistanceAlongTheViewAndInfiniteBehindEverything) {
 }
 
 TEST_F(AovTest, PositionAndNormalAreInWorldSpace) {
-    shot.scene.instances[0].world_from_object = glm::rotate(math::Mat4(1.0F), glm::radians(60.0F), math::Vec3(0, 1, 0));
+    shot.scene.instances[0].world_from_object =
+        glm::rotate(math::Mat4(1.0F), glm::radians(60.0F), math::Vec3(0, 1, 0));
     const auto picture = harness.draw(shot);
     ASSERT_TRUE(picture);
     EXPECT_NEAR(value(*picture, "normal", 32, 32, 0), std::sin(glm::radians(60.0F)), 1e-4F);
     EXPECT_NEAR(value(*picture, "normal", 32, 32, 2), std::cos(glm::radians(60.0F)), 1e-4F);
-    EXPECT_NEAR(value(*picture, "position", 32, 32, 1), -1.0F / 32.0F, 1e-4F) << "row 32 lies under the middle";
+    EXPECT_NEAR(value(*picture, "position", 32, 32, 1), -1.0F / 32.0F, 1e-4F)
+        << "row 32 lies under the middle";
 }
 
 TEST_F(AovTest, IdsAreThoseOfTheNodeAndTheMaterialAndZeroOnTheBackground) {
@@ -64,7 +71,8 @@ TEST_F(AovTest, IdsAreThoseOfTheNodeAndTheMaterialAndZeroOnTheBackground) {
 }
 
 TEST_F(AovTest, ThePictureIsTheRightSideUp) {
-    shot.scene.instances[0].world_from_object = glm::translate(math::Mat4(1.0F), math::Vec3(0, 1.5F, 0));
+    shot.scene.instances[0].world_from_object =
+        glm::translate(math::Mat4(1.0F), math::Vec3(0, 1.5F, 0));
     const auto picture = harness.draw(shot);
     ASSERT_TRUE(picture);
     EXPECT_EQ(value(*picture, "object_id", 32, 4), 1.0F) << "the top of the picture";
@@ -72,7 +80,8 @@ TEST_F(AovTest, ThePictureIsTheRightSideUp) {
 }
 
 TEST_F(AovTest, BackFacesAreCulledUnlessTheMaterialIsDoubleSided) {
-    shot.scene.instances[0].world_from_object = glm::rotate(math::Mat4(1.0F), math::pi, math::Vec3(0, 1, 0));
+    shot.scene.instances[0].world_from_object =
+        glm::rotate(math::Mat4(1.0F), math::pi, math::Vec3(0, 1, 0));
     auto picture = harness.draw(shot);
     ASSERT_TRUE(picture);
     EXPECT_EQ(value(*picture, "object_id", 32, 32), 0.0F);

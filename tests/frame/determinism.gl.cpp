@@ -1,8 +1,8 @@
 // Same inputs, same bytes; and the two ways to a context agree.
 // SPDX-License-Identifier: MIT
-#include <gtest/gtest.h>
-
 #include "support/frame_harness.h"
+
+#include <gtest/gtest.h>
 
 namespace facet::test {
 namespace {
@@ -11,8 +11,9 @@ Shot lit_sphere() {
     Shot shot{.scene = scene_of(sphere(48), material({0.8F, 0.3F, 0.1F}, 0.3F, 0.4F)),
               .latlong = constant_environment(math::Vec3(0.4F)),
               .samples = 4};
-    shot.scene.lights = {{.kind = tables::LightKind::directional, .intensity = 3.0F},
-                         {.kind = tables::LightKind::point, .intensity = 2.0F, .position_m = {1, 1, 1}}};
+    shot.scene.lights = {
+        {.kind = tables::LightKind::directional, .intensity = 3.0F},
+        {.kind = tables::LightKind::point, .intensity = 2.0F, .position_m = {1, 1, 1}}};
     return shot;
 }
 

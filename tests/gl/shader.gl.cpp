@@ -18,22 +18,27 @@ protected:
 
 TEST_F(ShaderTest, AnErrorInAnIncludedFileNamesThatFileAndLine) {
     ASSERT_TRUE(gl);
-    sources.generated["part.glsl"] = "float one() { return 1.0; }\nfloat two() { return nothing; }\n";
+    sources.generated["part.glsl"] =
+        "float one() { return 1.0; }\nfloat two() { return nothing; }\n";
     sources.generated["test.frag"] =
-        "layout(location = 0) out vec4 color;\n#include \"part.glsl\"\nvoid main() { color = vec4(one()); }\n";
+        "layout(location = 0) out vec4 color;\n#include \"part.glsl\"\nvoid main() { color = "
+        "vec4(one()); }\n";
     const auto program = build_program(*gl, sources, {"test.vert", "test.frag", ""});
     ASSERT_FALSE(program);
-    EXPECT_NE(program.error().found.find("glsl/part.glsl:2"), std::string::npos) << program.error().found;
+    EXPECT_NE(program.error().found.find("glsl/part.glsl:2"), std::string::npos)
+        << program.error().found;
 }
 
 TEST_F(ShaderTest, AnErrorAfterAnIncludeKeepsTheLineOfItsOwnFile) {
     ASSERT_TRUE(gl);
     sources.generated["part.glsl"] = "float one() { return 1.0; }\n\n\n\n";
     sources.generated["test.frag"] =
-        "layout(location = 0) out vec4 color;\n#include \"part.glsl\"\nvoid main() { color = wrong; }\n";
+        "layout(location = 0) out vec4 color;\n#include \"part.glsl\"\nvoid main() { color = "
+        "wrong; }\n";
     const auto program = build_program(*gl, sources, {"test.vert", "test.frag", ""});
     ASSERT_FALSE(program);
-    EXPECT_NE(program.error().found.find("glsl/test.frag:3"), std::string::npos) << program.error().found;
+    EXPECT_NE(program.error().found.find("glsl/test.frag:3"), std::string::npos)
+        << program.error().found;
 }
 
 TEST_F(ShaderTest, AMissingIncludeNamesTheLineThatAskedForIt) {
@@ -42,7 +47,8 @@ TEST_F(ShaderTest, AMissingIncludeNamesTheLineThatAskedForIt) {
     const auto program = build_program(*gl, sources, {"test.vert", "test.frag", ""});
     ASSERT_FALSE(program);
     EXPECT_EQ(program.error().file, "glsl/nowhere.glsl");
-    EXPECT_NE(program.error().found.find("glsl/test.frag:2"), std::string::npos) << program.error().found;
+    EXPECT_NE(program.error().found.find("glsl/test.frag:2"), std::string::npos)
+        << program.error().found;
 }
 
 TEST_F(ShaderTest, AFileIncludedTwiceIsThereOnce) {

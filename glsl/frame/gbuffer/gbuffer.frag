@@ -4,7 +4,7 @@ layout(std140) uniform DrawBlock { Draw draw; };
 #include "lib/octahedral.glsl"
 #include "lib/material.glsl"
 
-layout(location = 0) out vec4 out_albedo;         // sRGB8: rgb linear on write; a: 1 where unlit
+layout(location = 0) out vec4 out_albedo;         // RGBA16: linear Rec.709; a: 1 where unlit
 layout(location = 1) out vec2 out_normal;         // RG16: octahedral, world space
 layout(location = 2) out vec4 out_metal_rough_ao; // RGBA8: metallic, roughness, AO, unused
 #if FACET_EMISSIVE_TARGET

@@ -2,18 +2,27 @@
 // SPDX-License-Identifier: MIT
 #include "frame/aov/aov.h"
 
-#include <limits>
+#include "frame/output/output.h"
 
 #include <spdlog/fmt/fmt.h>
 
-#include "frame/output/output.h"
+#include <limits>
 
 namespace facet::frame {
 namespace {
 
-enum Unit : GLuint { albedo_unit = 0, normal_unit, metal_unit, depth_unit, emissive_unit, ids_unit };
+enum Unit : GLuint {
+    albedo_unit = 0,
+    normal_unit,
+    metal_unit,
+    depth_unit,
+    emissive_unit,
+    ids_unit
+};
 
-const tables::AovRow& row_of(tables::Aov aov) { return tables::aovs[static_cast<std::size_t>(aov)]; }
+const tables::AovRow& row_of(tables::Aov aov) {
+    return tables::aovs[static_cast<std::size_t>(aov)];
+}
 
 }  // namespace
 

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <vector>
-
 #include "frame/gbuffer/gbuffer.h"
 #include "frame/lighting/lighting.h"
 #include "image/image.h"
 #include "tables/aovs.h"
+
+#include <vector>
 
 namespace facet::frame {
 
@@ -22,13 +22,13 @@ class AovPass {
 public:
     explicit AovPass(const gl::ShaderSources& sources) : sources_(&sources) {}
     /// Makes cleared targets; `radiance` outlives them.
-    [[nodiscard]] base::Result<std::vector<AovTarget>> make_targets(const gl::Context& gl,
-                                                                    const std::vector<tables::Aov>& aovs,
-                                                                    const RadianceTarget& radiance) const;
+    [[nodiscard]] base::Result<std::vector<AovTarget>> make_targets(
+        const gl::Context& gl, const std::vector<tables::Aov>& aovs,
+        const RadianceTarget& radiance) const;
     /// Adds this frame's values to the targets whose average is `average`.
-    [[nodiscard]] base::Status run(const gl::Context& gl, const GBuffer& gbuffer, tables::Average average,
-                                   const gl::VertexArray& empty, math::Extent size,
-                                   const std::vector<AovTarget>& targets);
+    [[nodiscard]] base::Status run(const gl::Context& gl, const GBuffer& gbuffer,
+                                   tables::Average average, const gl::VertexArray& empty,
+                                   math::Extent size, const std::vector<AovTarget>& targets);
 
 private:
     [[nodiscard]] base::Result<gl::Program> make(const gl::Context& gl, tables::Aov aov) const;
@@ -37,8 +37,9 @@ private:
     Permutations<tables::Aov> programs_;
 };
 
-/// The AOV as f32 [height, width, channels of its row], rows from the top. Depth is +inf where no surface is.
-[[nodiscard]] image::Image read_aov(const gl::Context& gl, const AovTarget& target, math::Extent size,
-                                    std::uint32_t frame_count);
+/// The AOV as f32 [height, width, channels of its row], rows from the top. Depth is +inf where no
+/// surface is.
+[[nodiscard]] image::Image read_aov(const gl::Context& gl, const AovTarget& target,
+                                    math::Extent size, std::uint32_t frame_count);
 
 }  // namespace facet::frame

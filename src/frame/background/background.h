@@ -11,8 +11,8 @@ enum class BackgroundKind { sharp, blurred, color, none };
 
 struct Background {
     BackgroundKind kind = BackgroundKind::sharp;
-    math::Vec3 color{0.0F};         ///< color: display-linear Rec.709
-    float blur = 0.0F;              ///< blurred: 0..1, a roughness
+    math::Vec3 color{0.0F};  ///< color: display-linear Rec.709
+    float blur = 0.0F;       ///< blurred: 0..1, a roughness
 };
 
 class BackgroundPass {

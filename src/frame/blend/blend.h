@@ -9,8 +9,8 @@ namespace facet::frame {
 class BlendPass {
 public:
     explicit BlendPass(const gl::ShaderSources& sources) : sources_(&sources) {}
-    /// Lays the blended instances among `order` (far to near) over `out`. A double-sided one shows its back
-    /// faces first, so that a convex shell needs no sorting of triangles.
+    /// Lays the blended instances among `order` (far to near) over `out`. A double-sided one shows
+    /// its back faces first, so that a convex shell needs no sorting of triangles.
     [[nodiscard]] base::Status run(const gl::Context& gl, const GpuScene& scene,
                                    const std::vector<std::size_t>& order, const ShadeInputs& in,
                                    const RadianceTarget& out);

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "frame/gbuffer/gbuffer.h"
 
-#include <spdlog/fmt/fmt.h>
-
 #include "frame/shared.h"
+
+#include <spdlog/fmt/fmt.h>
 
 namespace facet::frame {
 
@@ -16,12 +16,11 @@ base::Result<GBuffer> GBuffer::create(const gl::Context& gl, const GBufferSpec& 
         GLenum format;
         bool full;
     };
-    for (const Target& target : {Target{&out.albedo, GL_SRGB8_ALPHA8, true},
-                                 Target{&out.normal, GL_RG16, true},
-                                 Target{&out.metal_rough_ao, GL_RGBA8, true},
-                                 Target{&out.emissive_nit, GL_RGBA32F, spec.emissive},
-                                 Target{&out.ids, GL_RG32UI, spec.ids},
-                                 Target{&out.depth, GL_DEPTH_COMPONENT32F, true}}) {
+    for (const Target& target :
+         {Target{&out.albedo, GL_RGBA16, true}, Target{&out.normal, GL_RG16, true},
+          Target{&out.metal_rough_ao, GL_RGBA8, true},
+          Target{&out.emissive_nit, GL_RGBA32F, spec.emissive},
+          Target{&out.ids, GL_RG32UI, spec.ids}, Target{&out.depth, GL_DEPTH_COMPONENT32F, true}}) {
         auto made = gl::make_texture(
             gl, {.format = target.format, .size = target.full ? spec.size : math::Extent{1, 1}});
         if (!made) return tl::unexpected(made.error());
@@ -38,7 +37,8 @@ base::Result<GBuffer> GBuffer::create(const gl::Context& gl, const GBufferSpec& 
 
 base::Result<gl::Program> GBufferPass::make(const gl::Context& gl, const Key& key) const {
     const std::string text = defines(key.material) + define("BLEND", false) +
-                             define("EMISSIVE_TARGET", key.emissive) + define("ID_TARGET", key.ids) +
+                             define("EMISSIVE_TARGET", key.emissive) +
+                             define("ID_TARGET", key.ids) +
                              fmt::format("#define FACET_ID_LOCATION {}\n", key.emissive ? 4 : 3);
     auto program = gl::build_program(
         gl, *sources_, {"frame/gbuffer/gbuffer.vert", "frame/gbuffer/gbuffer.frag", text});
@@ -57,7 +57,8 @@ base::Status GBufferPass::run(const gl::Context& gl, const GpuScene& scene,
     api.DepthMask(GL_TRUE);
     constexpr float far_depth = 1.0F;
     api.ClearBufferfv(GL_DEPTH, 0, &far_depth);
-    // Colours need no clear: no pass reads them where the depth is still far. Ids do, for edges of AOVs.
+    // Colours need no clear: no pass reads them where the depth is still far. Ids do, for edges of
+    // AOVs.
     api.BindVertexArray(scene.vertex_array.name());
     for (const std::size_t index : order) {
         const Draw& draw = scene.draws[index];
@@ -81,20 +82,21 @@ base::Status GBufferPass::run(const gl::Context& gl, const GpuScene& scene,
 
 void bind_material_samplers(const gl::Context& gl, const gl::Program& program) {
     for (std::size_t slot = 0; slot < tables::material_textures.size(); ++slot)
-        gl::bind_sampler(gl, program, tables::material_textures[slot].key.data(), static_cast<GLint>(slot));
+        gl::bind_sampler(gl, program, tables::material_textures[slot].key.data(),
+                         static_cast<GLint>(slot));
 }
 
 void draw_instance(const gl::Context& gl, const GpuScene& scene, const Draw& draw) {
     const gl::Api& api = gl.api();
     for (std::size_t slot = 0; slot < draw.textures.size(); ++slot)
         if (draw.textures[slot].texture != nullptr)
-            gl::bind_texture(gl, static_cast<GLuint>(slot), GL_TEXTURE_2D, *draw.textures[slot].texture,
-                             draw.textures[slot].sampler);
+            gl::bind_texture(gl, static_cast<GLuint>(slot), GL_TEXTURE_2D,
+                             *draw.textures[slot].texture, draw.textures[slot].sampler);
     api.BindBufferRange(GL_UNIFORM_BUFFER, draw_binding, scene.draw_blocks.name(),
                         static_cast<GLintptr>(draw.block_offset), sizeof(shared::Draw));
-    api.DrawElementsBaseVertex(GL_TRIANGLES, draw.index_count, GL_UNSIGNED_INT,
-                               reinterpret_cast<const void*>(draw.first_index * sizeof(std::uint32_t)),
-                               draw.base_vertex);
+    api.DrawElementsBaseVertex(
+        GL_TRIANGLES, draw.index_count, GL_UNSIGNED_INT,
+        reinterpret_cast<const void*>(draw.first_index * sizeof(std::uint32_t)), draw.base_vertex);
 }
 
 }  // namespace facet::frame

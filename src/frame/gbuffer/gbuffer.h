@@ -15,8 +15,9 @@ struct GBufferSpec {
     bool ids = false;
 };
 
-/// 14 bytes a pixel: sRGB8 albedo (a: unlit), RG16 octahedral normal, RGBA8 metallic, roughness, AO, and D32F.
-/// Formats cost llvmpipe the same (docs/decisions/003); these are the smallest that keep the precision.
+/// 20 bytes a pixel: RGBA16 albedo (a: unlit), RG16 octahedral normal, RGBA8 metallic, roughness,
+/// AO, and D32F. Formats cost llvmpipe the same, and its sRGB8 is off by 0.8 %
+/// (docs/decisions/003).
 struct GBuffer {
     GBufferSpec spec;
     gl::Texture albedo;
@@ -27,7 +28,8 @@ struct GBuffer {
     gl::Texture depth;
     gl::Framebuffer framebuffer;
 
-    [[nodiscard]] static base::Result<GBuffer> create(const gl::Context& gl, const GBufferSpec& spec);
+    [[nodiscard]] static base::Result<GBuffer> create(const gl::Context& gl,
+                                                      const GBufferSpec& spec);
 };
 
 /// Where the frame's uniform blocks are bound.

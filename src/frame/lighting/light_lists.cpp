@@ -14,7 +14,8 @@ using math::Vec3;
 using math::Vec4;
 
 void push(std::vector<Vec4>& texels, const scene::Light& light) {
-    const float inverse_range2 = light.range_m > 0.0F ? 1.0F / (light.range_m * light.range_m) : 0.0F;
+    const float inverse_range2 =
+        light.range_m > 0.0F ? 1.0F / (light.range_m * light.range_m) : 0.0F;
     float scale = 0.0F;
     float offset = 1.0F;
     if (light.kind == tables::LightKind::spot) {
@@ -29,7 +30,8 @@ void push(std::vector<Vec4>& texels, const scene::Light& light) {
 }
 
 /// The box around what a tile shows, in world space.
-math::Bounds tile_bounds(const math::Mat4& world_from_clip, Vec2 low, Vec2 high, float near, float far) {
+math::Bounds tile_bounds(const math::Mat4& world_from_clip, Vec2 low, Vec2 high, float near,
+                         float far) {
     math::Bounds bounds;
     for (int corner = 0; corner < 8; ++corner) {
         const Vec4 clip((corner & 1) != 0 ? high.x : low.x, (corner & 2) != 0 ? high.y : low.y,
@@ -69,7 +71,8 @@ TileRange tile_range(const Vec4& position_inverse_range2, const math::Mat4& clip
         high = glm::max(high, ndc);
     }
     const auto tile = [](float ndc, std::uint32_t pixels, std::uint32_t count, float round) {
-        const float px = (ndc * 0.5F + 0.5F) * static_cast<float>(pixels) / static_cast<float>(tile_px);
+        const float px =
+            (ndc * 0.5F + 0.5F) * static_cast<float>(pixels) / static_cast<float>(tile_px);
         return static_cast<std::uint32_t>(std::clamp(px + round, 0.0F, static_cast<float>(count)));
     };
     return {tile(low.x, size.width, across, 0.0F), tile(low.y, size.height, down, 0.0F),

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "math/vector.h"
+#include "scene/scene.h"
+
 #include <cstdint>
 #include <span>
 #include <vector>
-
-#include "math/vector.h"
-#include "scene/scene.h"
 
 namespace facet::frame {
 
@@ -25,22 +25,26 @@ struct PackedLights {
 /// A list a tile, row by row from the bottom left.
 struct LightLists {
     std::uint32_t tiles_across = 0;
-    std::vector<std::uint32_t> tiles;          ///< pairs: first in `indices`, count
-    std::vector<std::uint16_t> indices;        ///< of PackedLights
+    std::vector<std::uint32_t> tiles;    ///< pairs: first in `indices`, count
+    std::vector<std::uint16_t> indices;  ///< of PackedLights
 };
 
-/// Nearest and farthest surface of a picture, in window depth [0, 1], by tile; empty tiles have far < near.
+/// Nearest and farthest surface of a picture, in window depth [0, 1], by tile; empty tiles have far
+/// < near.
 struct TileDepths {
     std::vector<float> near;
     std::vector<float> far;
 };
-/// `depth` is [height, width] from the bottom. `behind_only` keeps near at 0, for pictures with blended
-/// surfaces in front of what the depth shows.
-[[nodiscard]] TileDepths tile_depths(std::span<const float> depth, math::Extent size, bool behind_only);
+/// `depth` is [height, width] from the bottom. `behind_only` keeps near at 0, for pictures with
+/// blended surfaces in front of what the depth shows.
+[[nodiscard]] TileDepths tile_depths(std::span<const float> depth, math::Extent size,
+                                     bool behind_only);
 
-/// A light is in a tile's list when its sphere touches the box around what is seen through the tile; lights
-/// without range are in all. `depths` may be null: the whole depth is taken. Deterministic, index order.
-[[nodiscard]] LightLists build_light_lists(const PackedLights& lights, const math::Mat4& clip_from_world,
-                                           math::Extent size, const TileDepths* depths);
+/// A light is in a tile's list when its sphere touches the box around what is seen through the
+/// tile; lights without range are in all. `depths` may be null: the whole depth is taken.
+/// Deterministic, index order.
+[[nodiscard]] LightLists build_light_lists(const PackedLights& lights,
+                                           const math::Mat4& clip_from_world, math::Extent size,
+                                           const TileDepths* depths);
 
 }  // namespace facet::frame

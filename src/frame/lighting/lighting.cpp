@@ -45,7 +45,8 @@ LightBuffers make_light_buffers(const gl::Context& gl) {
 }
 
 void update_lights(const gl::Context& gl, const LightBuffers& buffers, const PackedLights& lights) {
-    if (!lights.texels.empty()) gl::update_buffer(gl, buffers.lights, std::as_bytes(std::span(lights.texels)));
+    if (!lights.texels.empty())
+        gl::update_buffer(gl, buffers.lights, std::as_bytes(std::span(lights.texels)));
 }
 
 void update_lists(const gl::Context& gl, const LightBuffers& buffers, const LightLists& lists) {

@@ -35,22 +35,24 @@ struct ShadeInputs {
 void set_shade_samplers(const gl::Context& gl, const gl::Program& program);
 void bind_shade_textures(const gl::Context& gl, const ShadeInputs& in);
 
-/// Where radiance goes: RGBA32F [height, width, 4], linear Rec.709 in nit, associated alpha; and a copy of the
-/// G-buffer's depth, so that no pass tests against a texture it also reads.
+/// Where radiance goes: RGBA32F [height, width, 4], linear Rec.709 in nit, associated alpha; and a
+/// copy of the G-buffer's depth, so that no pass tests against a texture it also reads.
 struct RadianceTarget {
     math::Extent size;
     gl::Texture radiance;
     gl::Texture depth;
     gl::Framebuffer framebuffer;
-    [[nodiscard]] static base::Result<RadianceTarget> create(const gl::Context& gl, math::Extent size);
+    [[nodiscard]] static base::Result<RadianceTarget> create(const gl::Context& gl,
+                                                             math::Extent size);
 };
 
 class LightingPass {
 public:
     explicit LightingPass(const gl::ShaderSources& sources) : sources_(&sources) {}
     /// Writes the pixels where the G-buffer has a surface.
-    [[nodiscard]] base::Status run(const gl::Context& gl, const GBuffer& gbuffer, const ShadeInputs& in,
-                                   const gl::VertexArray& empty, const RadianceTarget& out);
+    [[nodiscard]] base::Status run(const gl::Context& gl, const GBuffer& gbuffer,
+                                   const ShadeInputs& in, const gl::VertexArray& empty,
+                                   const RadianceTarget& out);
 
 private:
     struct Key {

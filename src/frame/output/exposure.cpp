@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "frame/output/exposure.h"
 
+#include "math/color.h"
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
-
-#include "math/color.h"
 
 namespace facet::frame {
 namespace {
@@ -22,14 +22,15 @@ struct Sum {
 
 /// Sums `of(luminance)` over the pixels that `depth` covers, or over all; chunk by chunk, in order.
 template <class Of>
-Sum sum(std::span<const float> radiance, std::span<const float> depth, bool all, base::ThreadPool& pool,
-        const Of& of) {
+Sum sum(std::span<const float> radiance, std::span<const float> depth, bool all,
+        base::ThreadPool& pool, const Of& of) {
     std::vector<Sum> parts((depth.size() + chunk - 1) / chunk);
     pool.parallel_for(parts.size(), [&](std::size_t part) {
         const std::size_t end = std::min(depth.size(), (part + 1) * chunk);
         for (std::size_t i = part * chunk; i < end; ++i) {
             if (!all && depth[i] >= 1.0F) continue;
-            const float y = math::luminance({radiance[i * 4], radiance[i * 4 + 1], radiance[i * 4 + 2]});
+            const float y =
+                math::luminance({radiance[i * 4], radiance[i * 4 + 1], radiance[i * 4 + 2]});
             if (!std::isfinite(y)) continue;
             parts[part].value += of(y);
             ++parts[part].count;
@@ -54,7 +55,8 @@ double auto_exposure(std::span<const float> radiance, std::span<const float> dep
         all = true;
         luminance = sum(radiance, depth, all, pool, identity);
     }
-    const double mean = luminance.count == 0 ? 0.0 : luminance.value / static_cast<double>(luminance.count);
+    const double mean =
+        luminance.count == 0 ? 0.0 : luminance.value / static_cast<double>(luminance.count);
     if (!(mean > 0.0)) return 1.0;
     const float darkest = static_cast<float>(mean) * darkest_share;
     const Sum logs = sum(radiance, depth, all, pool, [&](float y) {

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "frame/output/output.h"
 
+#include <spdlog/fmt/fmt.h>
+
 #include <algorithm>
 #include <vector>
-
-#include <spdlog/fmt/fmt.h>
 
 namespace facet::frame {
 namespace {
@@ -18,9 +18,10 @@ struct DisplayBlock {
 
 base::Result<gl::Program> make_display(const gl::Context& gl, const gl::ShaderSources& sources,
                                        tables::Tonemap tonemap) {
-    auto program = gl::build_program(gl, sources,
-                                     {"frame/full_screen.vert", "frame/output/display.frag",
-                                      fmt::format("#define FACET_TONEMAP {}\n", static_cast<int>(tonemap))});
+    auto program =
+        gl::build_program(gl, sources,
+                          {"frame/full_screen.vert", "frame/output/display.frag",
+                           fmt::format("#define FACET_TONEMAP {}\n", static_cast<int>(tonemap))});
     if (!program) return program;
     gl::bind_block(gl, *program, "DisplayBlock", display_binding);
     gl::bind_sampler(gl, *program, "radiance", 0);
@@ -50,7 +51,8 @@ void Accumulator::clear(const gl::Context& gl) const {
 
 base::Result<AccumulatePass> AccumulatePass::create(const gl::Context& gl,
                                                     const gl::ShaderSources& sources) {
-    auto program = gl::build_program(gl, sources, {"frame/full_screen.vert", "frame/output/accumulate.frag", ""});
+    auto program = gl::build_program(
+        gl, sources, {"frame/full_screen.vert", "frame/output/accumulate.frag", ""});
     if (!program) return tl::unexpected(program.error());
     gl::bind_sampler(gl, *program, "radiance", 0);
     AccumulatePass pass;
@@ -58,14 +60,15 @@ base::Result<AccumulatePass> AccumulatePass::create(const gl::Context& gl,
     return pass;
 }
 
-void AccumulatePass::run(const gl::Context& gl, const gl::Texture& radiance, const gl::VertexArray& empty,
-                         const Accumulator& out) const {
+void AccumulatePass::run(const gl::Context& gl, const gl::Texture& radiance,
+                         const gl::VertexArray& empty, const Accumulator& out) const {
     gl::begin_draw(gl, out.framebuffer, out.size, program_, {.blend = gl::Blend::add});
     gl::bind_texture(gl, 0, GL_TEXTURE_2D, radiance, nullptr);
     gl::draw_full_screen(gl, empty);
 }
 
-base::Status DisplayPass::make_target(const gl::Context& gl, math::Extent size, image::Sample sample) {
+base::Status DisplayPass::make_target(const gl::Context& gl, math::Extent size,
+                                      image::Sample sample) {
     if (target_.color && target_.size == size && target_.sample == sample) return {};
     const GLenum format = sample == image::Sample::u16 ? GL_RGBA16 : GL_RGBA8;
     auto color = gl::make_texture(gl, {.format = format, .size = size});
@@ -85,7 +88,8 @@ base::Status DisplayPass::run(const gl::Context& gl, const gl::Texture& sum, mat
     const auto program = programs_.get(
         settings.tonemap, [&](tables::Tonemap t) { return make_display(gl, *sources_, t); });
     if (!program) return tl::unexpected(program.error());
-    if (auto made = make_target(gl, size, settings.sample); !made) return tl::unexpected(made.error());
+    if (auto made = make_target(gl, size, settings.sample); !made)
+        return tl::unexpected(made.error());
     const float share = 1.0F / static_cast<float>(settings.frame_count);
     const float codes = settings.sample == image::Sample::u16 ? 65535.0F : 255.0F;
     const DisplayBlock block{{static_cast<float>(settings.exposure) * share, share,
@@ -109,7 +113,8 @@ image::Image DisplayPass::read(const gl::Context& gl) const {
     return out;
 }
 
-image::Image read_radiance(const gl::Context& gl, const gl::Framebuffer& framebuffer, math::Extent size) {
+image::Image read_radiance(const gl::Context& gl, const gl::Framebuffer& framebuffer,
+                           math::Extent size) {
     image::Image out(size, 4, image::Sample::f32);
     gl::read_pixels(gl, framebuffer, 0, size, {GL_RGBA, GL_FLOAT}, out.bytes);
     flip_rows(out);
@@ -117,7 +122,8 @@ image::Image read_radiance(const gl::Context& gl, const gl::Framebuffer& framebu
 }
 
 void flip_rows(image::Image& image) {
-    const std::size_t row = std::size_t{image.size.width} * image.channels * sample_bytes(image.sample);
+    const std::size_t row =
+        std::size_t{image.size.width} * image.channels * sample_bytes(image.sample);
     std::byte* low = image.bytes.data();
     std::byte* high = low + image.bytes.size() - row;
     for (; low < high; low += row, high -= row) std::swap_ranges(low, low + row, high);

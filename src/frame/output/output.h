@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <optional>
-
 #include "frame/gbuffer/gbuffer.h"
 #include "frame/permutations.h"
 #include "image/image.h"
 #include "tables/tonemaps.h"
+
+#include <optional>
 
 namespace facet::frame {
 
@@ -57,7 +57,8 @@ private:
         gl::Texture color;
         gl::Framebuffer framebuffer;
     };
-    [[nodiscard]] base::Status make_target(const gl::Context& gl, math::Extent size, image::Sample sample);
+    [[nodiscard]] base::Status make_target(const gl::Context& gl, math::Extent size,
+                                           image::Sample sample);
 
     const gl::ShaderSources* sources_;
     Permutations<tables::Tonemap> programs_;

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "frame/upload/gpu_scene.h"
 
-#include <cstring>
-
 #include "frame/shared.h"
 #include "frame/upload/upload_meshes.h"
 #include "frame/upload/upload_textures.h"
+
+#include <cstring>
 
 namespace facet::frame {
 namespace {
@@ -18,9 +18,12 @@ using math::Vec4;
 
 GLint gl_wrap(scene::Wrap wrap) {
     switch (wrap) {
-        case scene::Wrap::repeat: return GL_REPEAT;
-        case scene::Wrap::clamp: return GL_CLAMP_TO_EDGE;
-        case scene::Wrap::mirror: return GL_MIRRORED_REPEAT;
+        case scene::Wrap::repeat:
+            return GL_REPEAT;
+        case scene::Wrap::clamp:
+            return GL_CLAMP_TO_EDGE;
+        case scene::Wrap::mirror:
+            return GL_MIRRORED_REPEAT;
     }
     return GL_REPEAT;
 }
@@ -48,9 +51,8 @@ shared::Draw block_of(const scene::Instance& instance, const scene::Material& ma
     shared::Draw block{};
     block.world_from_object = instance.world_from_object;
     block.normal_from_object = normal_matrix(instance.world_from_object);
-    block.base_color_opacity = Vec4(v.base_color, material.alpha_mode == scene::AlphaMode::opaque
-                                                      ? 1.0F
-                                                      : v.opacity);
+    block.base_color_opacity =
+        Vec4(v.base_color, material.alpha_mode == scene::AlphaMode::opaque ? 1.0F : v.opacity);
     block.metallic_roughness_normal_ao = {v.metallic, v.roughness, v.normal_scale, v.ao_strength};
     block.emissive_nit_cutoff = Vec4(v.emissive * v.emissive_strength, v.alpha_cutoff);
     for (std::size_t slot = 0; slot < material.textures.size(); ++slot) {
@@ -85,7 +87,8 @@ public:
         const Mat3 linear(instance.world_from_object);
         draw.mirrored = math::dot(math::cross(linear[0], linear[1]), linear[2]) < 0.0F;
         for (std::size_t slot = 0; slot < material.textures.size(); ++slot)
-            if (material.textures[slot]) draw.textures[slot] = bound(*material.textures[slot], slot, uses);
+            if (material.textures[slot])
+                draw.textures[slot] = bound(*material.textures[slot], slot, uses);
         draw.block_offset = add_block(block_of(instance, material, mesh.material.index));
         out_.emits = out_.emits || (!draw.blended && material.values.emissive != Vec3(0.0F) &&
                                     material.values.emissive_strength > 0.0F);
@@ -125,8 +128,8 @@ private:
 
 }  // namespace
 
-base::Result<GpuScene> upload_scene(const gl::Context& gl, const scene::Scene& scene, Filtering filtering,
-                                    base::ThreadPool& pool) {
+base::Result<GpuScene> upload_scene(const gl::Context& gl, const scene::Scene& scene,
+                                    Filtering filtering, base::ThreadPool& pool) {
     GpuScene out;
     const auto ranges = upload_meshes(gl, scene, pool, out);
     const auto uses = upload_textures(gl, scene, pool, out);

@@ -1,16 +1,16 @@
-// The scene as GL objects: one vertex and index buffer, textures with mips, one uniform block a draw.
-// SPDX-License-Identifier: MIT
+// The scene as GL objects: one vertex and index buffer, textures with mips, one uniform block a
+// draw. SPDX-License-Identifier: MIT
 #pragma once
-
-#include <array>
-#include <map>
-#include <optional>
-#include <vector>
 
 #include "base/thread_pool.h"
 #include "frame/upload/material_key.h"
 #include "gl/objects.h"
 #include "scene/scene.h"
+
+#include <array>
+#include <map>
+#include <optional>
+#include <vector>
 
 namespace facet::frame {
 
@@ -31,7 +31,7 @@ struct Draw {
     math::Vec3 center_m{0.0F};     ///< of its bounds, world space: the order of drawing
     bool blended = false;
     bool double_sided = false;
-    bool mirrored = false;         ///< its matrix turns it inside out
+    bool mirrored = false;  ///< its matrix turns it inside out
 };
 
 struct GpuScene {
@@ -48,7 +48,8 @@ struct GpuScene {
 /// How textures other than the base colour are filtered: `fast` takes the nearest mip.
 enum class Filtering { fast, trilinear };
 
-/// Uploads everything; mips are made on `pool`. Errors: limit_reached (a texture above the driver's limit).
+/// Uploads everything; mips are made on `pool`. Errors: limit_reached (a texture above the driver's
+/// limit).
 [[nodiscard]] base::Result<GpuScene> upload_scene(const gl::Context& gl, const scene::Scene& scene,
                                                   Filtering filtering, base::ThreadPool& pool);
 

@@ -53,8 +53,9 @@ std::string defines(const MaterialKey& key) {
            define("METALLIC_ROUGHNESS_TEXTURE", key.metallic_roughness_texture) +
            define("NORMAL_MAP", key.normal_map) + define("OCCLUSION_PACKED", key.occlusion_packed) +
            define("OCCLUSION_TEXTURE", key.occlusion_texture) +
-           define("EMISSIVE_TEXTURE", key.emissive_texture) + define("VERTEX_COLOR", key.vertex_color) +
-           define("UV_GENERAL", key.uv_general) + define("ALPHA_MASK", key.alpha_mask);
+           define("EMISSIVE_TEXTURE", key.emissive_texture) +
+           define("VERTEX_COLOR", key.vertex_color) + define("UV_GENERAL", key.uv_general) +
+           define("ALPHA_MASK", key.alpha_mask);
 }
 
 }  // namespace facet::frame

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "scene/scene.h"
+
 #include <compare>
 #include <string>
-
-#include "scene/scene.h"
 
 namespace facet::frame {
 

@@ -5,8 +5,8 @@
 #include "gl/pipeline.h"
 
 #include <algorithm>
-#include <cstddef>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 
 namespace facet::frame {
@@ -67,7 +67,8 @@ void describe_vertices(const gl::Context& gl, GpuScene& out) {
     for (GLuint i = 0; i < attributes.size(); ++i) {
         api.EnableVertexAttribArray(i);
         api.VertexAttribPointer(i, attributes[i].size, attributes[i].type, attributes[i].normalized,
-                                sizeof(Vertex), reinterpret_cast<const void*>(attributes[i].offset));
+                                sizeof(Vertex),
+                                reinterpret_cast<const void*>(attributes[i].offset));
     }
 }
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <vector>
-
 #include "frame/upload/gpu_scene.h"
+
+#include <vector>
 
 namespace facet::frame {
 

@@ -7,12 +7,13 @@
 namespace facet::frame {
 namespace {
 
-base::Result<gl::Texture> upload_levels(const gl::Context& gl, const std::vector<image::Image>& levels,
+base::Result<gl::Texture> upload_levels(const gl::Context& gl,
+                                        const std::vector<image::Image>& levels,
                                         tables::Space space) {
-    const gl::TextureSpec spec{.format = static_cast<GLenum>(space == tables::Space::srgb ? GL_SRGB8_ALPHA8
-                                                                                         : GL_RGBA8),
-                               .size = levels.front().size,
-                               .levels = static_cast<GLsizei>(levels.size())};
+    const gl::TextureSpec spec{
+        .format = static_cast<GLenum>(space == tables::Space::srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8),
+        .size = levels.front().size,
+        .levels = static_cast<GLsizei>(levels.size())};
     auto texture = gl::make_texture(gl, spec);
     if (!texture) return texture;
     for (std::size_t level = 0; level < levels.size(); ++level)
@@ -24,7 +25,8 @@ base::Result<gl::Texture> upload_levels(const gl::Context& gl, const std::vector
 
 base::Result<std::map<TextureUse, std::size_t>> upload_textures(const gl::Context& gl,
                                                                 const scene::Scene& scene,
-                                                                base::ThreadPool& pool, GpuScene& out) {
+                                                                base::ThreadPool& pool,
+                                                                GpuScene& out) {
     std::map<TextureUse, std::size_t> uses;
     std::vector<TextureUse> order;
     for (const scene::Material& material : scene.materials)
@@ -38,11 +40,14 @@ base::Result<std::map<TextureUse, std::size_t>> upload_textures(const gl::Contex
     std::vector<std::vector<image::Image>> levels(order.size());
     pool.parallel_for(order.size(), [&](std::size_t i) {
         const image::Image& pixels = *scene.images[order[i].first].pixels;
-        levels[i] = image::build_mips(image::to_rgba8(pixels), order[i].second == tables::Space::srgb);
+        levels[i] =
+            image::build_mips(image::to_rgba8(pixels), order[i].second == tables::Space::srgb);
     });
     for (std::size_t i = 0; i < order.size(); ++i) {
         auto texture = upload_levels(gl, levels[i], order[i].second);
-        if (!texture) return tl::unexpected(base::in_file(texture.error(), scene.images[order[i].first].name));
+        if (!texture)
+            return tl::unexpected(
+                base::in_file(texture.error(), scene.images[order[i].first].name));
         out.textures.push_back(std::move(*texture));
         levels[i].clear();
     }

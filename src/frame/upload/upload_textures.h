@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "frame/upload/gpu_scene.h"
+
 #include <map>
 #include <utility>
-
-#include "frame/upload/gpu_scene.h"
 
 namespace facet::frame {
 
@@ -13,9 +13,7 @@ namespace facet::frame {
 using TextureUse = std::pair<std::uint32_t, tables::Space>;
 
 /// Uploads each use once, into `out.textures`; gives the index there.
-[[nodiscard]] base::Result<std::map<TextureUse, std::size_t>> upload_textures(const gl::Context& gl,
-                                                                              const scene::Scene& scene,
-                                                                              base::ThreadPool& pool,
-                                                                              GpuScene& out);
+[[nodiscard]] base::Result<std::map<TextureUse, std::size_t>> upload_textures(
+    const gl::Context& gl, const scene::Scene& scene, base::ThreadPool& pool, GpuScene& out);
 
 }  // namespace facet::frame

@@ -5,6 +5,7 @@
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstring>
 #include <exception>
@@ -94,13 +95,32 @@ int read_pixels(const char* format, const void* bytes, std::size_t count,
     });
 }
 
+/// A file in memory that can be read again while it is written: libtiff goes back to its first
+/// directory to chain the second to it, and OpenImageIO's own IOVecOutput would hand it nothing.
+class MemoryFile : public OIIO::Filesystem::IOVecOutput {
+public:
+    using IOVecOutput::IOVecOutput;
+    std::size_t read(void* to, std::size_t count) override {
+        const std::size_t got = pread(to, count, tell());
+        m_pos += static_cast<std::int64_t>(got);
+        return got;
+    }
+    std::size_t pread(void* to, std::size_t count, std::int64_t offset) override {
+        const auto at = static_cast<std::size_t>(offset);
+        if (offset < 0 || at >= m_buf.size()) return 0;
+        const std::size_t got = std::min(count, m_buf.size() - at);
+        std::memcpy(to, m_buf.data() + at, got);
+        return got;
+    }
+};
+
 int write(const char* format, const FacetOiioShape* shape, const void* pixels,
           const FacetOiioText* metadata, std::size_t metadata_count, FacetOiioSink sink,
           FacetOiioMessage message) {
     return guarded(message, [&]() -> std::string {
         const std::string name = std::string("picture.") + format;
         std::vector<unsigned char> bytes;
-        OIIO::Filesystem::IOVecOutput memory(bytes);
+        MemoryFile memory(bytes);
         const auto output = OIIO::ImageOutput::create(name, &memory);
         if (!output || !output->supports("ioproxy")) return "cannot write this format to memory";
         OIIO::ImageSpec spec(static_cast<int>(shape->width), static_cast<int>(shape->height),
@@ -109,7 +129,6 @@ int write(const char* format, const FacetOiioShape* shape, const void* pixels,
             spec.alpha_channel = static_cast<int>(shape->channels) - 1;
             spec.attribute("oiio:UnassociatedAlpha", 1);
         }
-        spec.attribute("oiio:ColorSpace", "sRGB");
         spec.attribute("compression", "zip");
         for (std::size_t i = 0; i < metadata_count; ++i)
             spec.attribute(metadata[i].key, metadata[i].text);

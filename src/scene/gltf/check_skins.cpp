@@ -85,10 +85,11 @@ void check_scenes(const Json& json, const Placement& placement, Problems& proble
         const auto skin_index = index_at(node, "skin");
         const Json* const skin = skin_index ? element_at(json, "skins", *skin_index) : nullptr;
         const Json* const joint = skin != nullptr ? element_at(*skin, "joints", 0) : nullptr;
-        const auto first = joint != nullptr ? as_unsigned(*joint) : std::nullopt;
-        if (find(node, "mesh") == nullptr || !first || *first >= node_count) continue;
+        const std::uint64_t first =
+            joint != nullptr ? as_unsigned(*joint).value_or(node_count) : node_count;
+        if (find(node, "mesh") == nullptr || first >= node_count) continue;
         const auto& with_mesh = scenes[placement.roots[n]];
-        const auto& with_joints = scenes[placement.roots[*first]];
+        const auto& with_joints = scenes[placement.roots[first]];
         // Both rise, so the first difference is found in the length of the shorter.
         const auto [missing, other] = std::mismatch(with_mesh.begin(), with_mesh.end(),
                                                     with_joints.begin(), with_joints.end());

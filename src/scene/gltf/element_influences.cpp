@@ -90,7 +90,7 @@ std::string key_of(const Json& primitive, std::size_t joint_count) {
         for (const char* const name : {"JOINTS", "WEIGHTS"})
             if (const Json* const index =
                     find_path(primitive, fmt::format("attributes/{}_{}", name, set)))
-                key += " " + index->dump();
+                key.append(1, ' ').append(index->dump());
     return key;
 }
 
