@@ -1,5 +1,7 @@
 # The Cornell box, 2 m wide, with an emitting lamp and a point light that stands in for it.
 # SPDX-License-Identifier: MIT
+from dataclasses import replace
+
 import numpy as np
 
 from . import shapes
@@ -23,6 +25,13 @@ BOXES = {
     "tall_box": ((0.30, 0.60, 0.30), (-0.34, 0.60, -0.34), 18),
     "short_box": ((0.30, 0.30, 0.30), (0.36, 0.30, 0.32), -17),
 }
+# A dark board around the opening: no camera sees past the box, whatever the picture's aspect.
+BOARD = (
+    ((-9, 6, 1), (8, 0, 0), (0, -10, 0)),
+    ((1, 6, 1), (8, 0, 0), (0, -10, 0)),
+    ((-1, 6, 1), (2, 0, 0), (0, -4, 0)),
+    ((-1, 0, 1), (2, 0, 0), (0, -4, 0)),
+)
 LAMP_HALF_M, LAMP_NIT = (0.30, 0.24), (17.0, 13.6, 9.6)
 
 
@@ -92,70 +101,53 @@ def all_faces():
             )
 
 
-def build(copyright_line):
-    """Light from outside comes in by the front alone: the occlusion map says how much of it arrives
-    where."""
-    cell, across = 64, 4
+def mapped_faces(cell=64, across=4):
+    """The faces by (node, paint), with coordinates in the occlusion atlas, and the atlas."""
     faces = list(all_faces())
     atlas = np.ones((-(-len(faces) // across) * cell, across * cell), np.float32)
+    # One texel of margin repeats the face's edge.
+    c = np.clip((np.arange(cell) - 0.5) / (cell - 2), 0, 1)
+    u, v = (grid.reshape(-1, 1) for grid in np.meshgrid(c, c))
     parts = {}
     for i, (node, paint, face) in enumerate(faces):
         row, column = i // across * cell, i % across * cell
-        c = (np.arange(cell) - 0.5) / (
-            cell - 2
-        )  # half a texel of margin: the face's edges are texel centres
-        u, v = np.meshgrid(np.clip(c, 0, 1), np.clip(c, 0, 1))
-        corner, right, down = (
-            face.positions[0],
-            face.positions[1] - face.positions[0],
-            face.positions[2] - face.positions[0],
-        )
-        points = corner + u.reshape(-1, 1) * right + v.reshape(-1, 1) * down
+        corner, right, down = (face.positions[k] for k in range(3))
+        points = corner + u * (right - corner) + v * (down - corner)
         if node == "floor":
             points = outside_boxes(points)
-        atlas[row : row + cell, column : column + cell] = opening_seen(
-            points, np.tile(face.normals[0], (cell * cell, 1))
-        ).reshape(cell, cell)
-        face.uv0 = (np.array([column, row]) + 1 + face.uv0 * (cell - 2)) / np.array(
-            atlas.shape[::-1]
-        )
+        seen = opening_seen(points, np.tile(face.normals[0], (cell * cell, 1)))
+        atlas[row : row + cell, column : column + cell] = seen.reshape(cell, cell)
+        texel = np.array([column, row]) + 1 + face.uv0 * (cell - 2)
+        face.uv0 = texel / np.array(atlas.shape[::-1])
         parts.setdefault((node, paint), []).append(face)
+    return parts, atlas
+
+
+def add_plain(glb, name, faces, material):
+    surface = shapes.joined([shapes.quad(*face) for face in faces])
+    mesh = glb.add_mesh(name, glb.add_geometry(replace(surface, uv0=None)), material)
+    glb.add_node(name, mesh=mesh)
+
+
+def build(copyright_line):
+    """Light from outside comes in by the front alone: the occlusion map says how much of it
+    arrives where."""
+    parts, atlas = mapped_faces()
     glb = Glb(copyright_line)
-    glb.add_camera(
-        "front", (0, 1, 4.35), (0, 1, 0), 2 * np.degrees(np.arctan(1.09 / 3.35)), aspect=1.0
-    )
+    yfov_deg = 2 * np.degrees(np.arctan(1.09 / 3.35))
+    glb.add_camera("front", (0, 1, 4.35), (0, 1, 0), yfov_deg, aspect=1.0)
     occlusion = glb.texture_ref(glb.add_texture("occlusion", to_bytes(atlas), wrap=CLAMP))
     materials = {
         name: glb.add_material(name, color, roughness=0.9, occlusion_map=occlusion)
         for name, color in PAINT.items()
     }
-    for (node, paint), surfaces in parts.items():
-        glb.add_node(
-            node,
-            mesh=glb.add_mesh(node, glb.add_geometry(shapes.joined(surfaces)), materials[paint]),
-        )
-    # A dark board around the opening: no camera sees past the box, whatever the picture's aspect.
-    board = [
-        shapes.quad(*face)
-        for face in (
-            ((-9, 6, 1), (8, 0, 0), (0, -10, 0)),
-            ((1, 6, 1), (8, 0, 0), (0, -10, 0)),
-            ((-1, 6, 1), (2, 0, 0), (0, -4, 0)),
-            ((-1, 0, 1), (2, 0, 0), (0, -4, 0)),
-        )
-    ]
-    black = glb.add_material("board", (0.14, 0.14, 0.14), roughness=0.9)
-    glb.add_node("board", mesh=glb.add_mesh("board", glb.add_geometry(shapes.joined(board)), black))
+    for (node, paint), faces in parts.items():
+        geometry = glb.add_geometry(shapes.joined(faces))
+        glb.add_node(node, mesh=glb.add_mesh(node, geometry, materials[paint]))
+    add_plain(glb, "board", BOARD, glb.add_material("board", (0.14, 0.14, 0.14), roughness=0.9))
     x, z = LAMP_HALF_M
     lamp = glb.add_material("lamp", (0.78, 0.78, 0.78), emissive_nit=LAMP_NIT)
-    glb.add_node(
-        "lamp",
-        mesh=glb.add_mesh(
-            "lamp",
-            glb.add_geometry(shapes.quad((-x, 1.998, z), (2 * x, 0, 0), (0, 0, -2 * z))),
-            lamp,
-        ),
-    )
+    add_plain(glb, "lamp", [((-x, 1.998, z), (2 * x, 0, 0), (0, 0, -2 * z))], lamp)
     # A stand-in for renderers that do not sample emitting meshes: the lamp's intensity straight
     # down, area x radiance.
     peak = max(LAMP_NIT)

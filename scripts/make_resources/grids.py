@@ -1,5 +1,7 @@
 # The grids of spheres: roughness x metallic in one colour, and white for the furnace test.
 # SPDX-License-Identifier: MIT
+from dataclasses import replace
+
 import numpy as np
 
 from . import shapes
@@ -17,7 +19,7 @@ def sphere_grid(name, copyright_line, base, columns, rows, segments, rings):
     glb.add_camera(
         "front", (0, 0, eye_m), (0, 0, 0), np.degrees(2 * np.arctan(0.5 * high / eye_m)), far=1000.0
     )
-    geometry = glb.add_geometry(shapes.sphere(0.5, segments, rings))
+    geometry = glb.add_geometry(replace(shapes.sphere(0.5, segments, rings), uv0=None))
     for row, metallic in enumerate(np.linspace(1, 0, rows)):
         for column, roughness in enumerate(np.linspace(0, 1, columns)):
             label = f"metallic_{metallic:.2f}_roughness_{roughness:.2f}"

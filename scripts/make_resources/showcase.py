@@ -1,5 +1,7 @@
 # The showcase: seven material balls on plinths, the whole stage's occlusion in its maps.
 # SPDX-License-Identifier: MIT
+from dataclasses import replace
+
 import numpy as np
 
 from . import ball, bake, coats, shapes, stage
@@ -64,7 +66,7 @@ def add_feet(glb):
     material = glb.add_material(
         "foot", (0.052, 0.053, 0.056), 0.0, 0.38, occlusion_map=glb.texture_ref(texture)
     )
-    mesh = glb.add_mesh("foot", glb.add_geometry(foot), material)
+    mesh = glb.add_mesh("foot", glb.add_geometry(replace(foot, tangents=None)), material)
     for name in bake.PLACES:
         glb.add_node(
             f"{name}_foot",
@@ -128,7 +130,7 @@ def add_plinth(glb, index, name, rectangle, atlas_shape, maps):
         occlusion_map=glb.texture_ref(maps["occlusion"], uv_set=1),
     )
     size = (stage.PLINTH_RADIUS_M, tall, stage.PLINTH_BEVEL_M)
-    drum = stage.drum(size, stage.TERRAZZO_M, 80, 2, top_uv1, side_uv1)
+    drum = replace(stage.drum(size, stage.TERRAZZO_M, 80, 2, top_uv1, side_uv1), tangents=None)
     mesh = glb.add_mesh(f"{name}_plinth", glb.add_geometry(drum), material)
     glb.add_node(f"{name}_plinth", mesh=mesh, translation=[x, stage.FLOOR_HEIGHT_M, z])
 
@@ -146,7 +148,7 @@ def add_plinths(glb):
 
 
 def floor_surface(size, strip):
-    """The floor and its occlusion, [size + strip, size]: the top's square above the side's strip."""
+    """The floor and its occlusion, [size + strip, size]: the top, then the side."""
     half = stage.FLOOR_RADIUS_M * 1.01
     drums = [((x, z), stage.PLINTH_RADIUS_M) for x, z, _ in bake.PLACES.values()]
     blockers, high = bake.solids(floor=False), stage.FLOOR_HEIGHT_M

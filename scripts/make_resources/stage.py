@@ -14,8 +14,8 @@ BACKDROP_HALF_M = (1.6, 1.3)  # half extents in x and z of the backdrop's occlus
 
 
 def drum(measures, tile_m, segments, rings, top_uv1, side_uv1):
-    """An upright drum standing on y = 0, without bottom; `measures` are its radius, height and bevel
-    in metres. Its top is mapped flat, its side unrolled, both in units of tile_m in uv0;
+    """An upright drum standing on y = 0, without bottom; `measures` are its radius, height and
+    bevel in metres. Its top is mapped flat, its side unrolled, both in units of tile_m in uv0;
     top_uv1(x, z) and side_uv1(around, height) give uv1."""
     radius, height, bevel = measures
     arc = np.linspace(0, np.pi / 2, 5)

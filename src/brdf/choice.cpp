@@ -52,11 +52,11 @@ BrdfChoice lecture() {
 base::Status set(BrdfChoice& choice, std::string_view part, Use use) {
     const std::size_t equals = part.find('=');
     const std::string key = with(base::trimmed(part.substr(0, equals)), '-', '_');
-    std::vector<std::string> slots;
+    std::vector<std::string> known;
     for (const tables::BrdfSlot& slot : tables::brdf_slots) {
         const auto names = term_names(slot.key, use);
         // A slot with one term leaves nothing to choose.
-        if (names.size() > 1) slots.emplace_back(slot.key);
+        if (names.size() > 1) known.emplace_back(slot.key);
         if (slot.key != key || names.size() < 2) continue;
         const std::string name = equals == std::string_view::npos
                                      ? ""
@@ -67,7 +67,12 @@ base::Status set(BrdfChoice& choice, std::string_view part, Use use) {
         slot.set(choice, static_cast<std::size_t>(found - names.begin()));
         return {};
     }
-    return unknown("no such slot", key, slots);
+    if (equals == std::string_view::npos) {
+        known.emplace_back("lecture");
+        if (use == Use::lesson) known.emplace_back("lecture-literal");
+        return unknown("no such set of terms, and no slot=term", std::string(part), known);
+    }
+    return unknown("no such slot", key, known);
 }
 
 }  // namespace

@@ -41,11 +41,13 @@ private:
     std::size_t at_ = 0;
 };
 
-/// R G B A before others; others as the file has them, by name.
+/// R G B, X Y Z, U V, and alpha behind them all (gray is Y A); others in between, as the file has
+/// them, by name.
 std::size_t rank(const std::string& channel) {
-    constexpr std::string_view order = "RGBYA";  // gray's Y stands before its A
-    if (channel.size() != 1) return order.size();
-    const std::size_t at = order.find(channel.front());
+    constexpr std::string_view order = "RGBXYZUV";
+    if (channel == "A") return order.size() + 1;
+    const std::size_t at =
+        channel.size() == 1 ? order.find(channel.front()) : std::string_view::npos;
     return at == std::string_view::npos ? order.size() : at;
 }
 

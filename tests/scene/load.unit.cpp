@@ -113,6 +113,21 @@ TEST_F(Loading, a_damaged_texture_is_a_white_one) {
     EXPECT_FALSE(loaded->warnings.empty());
 }
 
+TEST_F(Loading, a_missing_normal_map_is_none_as_white_would_lean) {
+    Document d = triangle();
+    primitive(d)["attributes"]["TEXCOORD_0"] = d.floats("VEC2", 2, {0, 0, 1, 0, 0, 1});
+    primitive(d)["material"] = 0;
+    d.json["images"] = {{{"uri", "data:image/ktx2;base64," + base64("\xABKTX 20\xBB\r\n\x1A\n")}}};
+    d.json["textures"] = {{{"source", 0}}};
+    d.json["materials"] = {{{"normalTexture", {{"index", 0}}}}};
+    const auto loaded = load_document(d);
+    ASSERT_TRUE(loaded) << base::to_line(loaded.error());
+    EXPECT_FALSE(
+        loaded->scene.materials[0].texture(tables::TextureSlot::normal_texture).has_value());
+    ASSERT_EQ(loaded->warnings.size(), 1U);
+    EXPECT_NE(loaded->warnings[0].what.find("KTX2"), std::string::npos);
+}
+
 TEST_F(Loading, bytes_without_a_folder_may_not_name_files_unless_given_one) {
     const std::string text = with_buffer_at("data.bin");
     const auto refused = load_text(text);

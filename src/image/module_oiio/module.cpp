@@ -50,12 +50,17 @@ struct Input {
 };
 
 std::string open(const char* format, Input& input) {
-    const std::string name = std::string("picture.") + format;
+    input.image = OIIO::ImageInput::create(format);
+    if (!input.image || !input.image->supports("ioproxy"))
+        return "OpenImageIO cannot read this format from memory";
+    // Not through ImageInput::open(): given a proxy and a configuration, OpenImageIO 2.4 drops the
+    // proxy.
+    input.image->set_ioproxy(&input.memory);
     OIIO::ImageSpec config;
+    OIIO::ImageSpec found;
     config.attribute("oiio:UnassociatedAlpha", 1);  // straight alpha is what Facet keeps
-    input.image = OIIO::ImageInput::open(name, &config, &input.memory);
-    if (input.image) return {};
-    const std::string reason = OIIO::geterror();
+    if (input.image->open(std::string("picture.") + format, found, config)) return {};
+    const std::string reason = input.image->geterror();
     return reason.empty() ? "OpenImageIO cannot open it" : reason;
 }
 
@@ -125,13 +130,16 @@ int write(const char* format, const FacetOiioShape* shape, const void* pixels,
         if (!output || !output->supports("ioproxy")) return "cannot write this format to memory";
         OIIO::ImageSpec spec(static_cast<int>(shape->width), static_cast<int>(shape->height),
                              static_cast<int>(shape->channels), type_of(shape->sample));
+        // First, so that no key can change how the pixels are stored. TIFF keeps those it has a tag
+        // for.
+        for (std::size_t i = 0; i < metadata_count; ++i)
+            spec.attribute(metadata[i].key, metadata[i].text);
         if (shape->channels == 2 || shape->channels == 4) {
             spec.alpha_channel = static_cast<int>(shape->channels) - 1;
             spec.attribute("oiio:UnassociatedAlpha", 1);
         }
         spec.attribute("compression", "zip");
-        for (std::size_t i = 0; i < metadata_count; ++i)
-            spec.attribute(metadata[i].key, metadata[i].text);
+        spec.attribute("DateTime", "");  // else the time of writing, and no two files the same
         if (!output->open(name, spec) || !output->write_image(type_of(shape->sample), pixels) ||
             !output->close())
             return output->geterror();
