@@ -77,7 +77,9 @@ void decode_all_ways(const base::Bytes& file) {
         EXPECT_FALSE(pixels.error().what.empty());
         EXPECT_NE(pixels.error().code, base::ErrorCode::internal) << base::to_line(pixels.error());
     }
-    if (picture) EXPECT_FALSE(picture->layers.empty());
+    if (picture) {
+        EXPECT_FALSE(picture->layers.empty());
+    }
 }
 
 void fuzz(const base::Bytes& seed, int rounds) {

@@ -18,8 +18,8 @@ namespace {
 
 constexpr std::uint32_t face_min_px = 128;  // five levels: fewer would show between two roughnesses
 constexpr std::uint32_t face_max_px = 1024;  // 50 MB of half floats
-constexpr std::uint32_t last_level_px =
-    8;  // at 4 the edge of a half-sphere lobe around a sun shows as steps
+// At 4 the edge of a half-sphere lobe around a sun shows as steps.
+constexpr std::uint32_t last_level_px = 8;
 
 }  // namespace
 

@@ -12,9 +12,9 @@
 namespace facet::frame {
 namespace {
 
-/// Above this roughness squared a lobe is wide: 0.6 rad to half its peak, several texels of
-/// wide_source_px.
-constexpr float wide_alpha = 0.4F;
+/// Above this roughness squared a lobe is wide: 0.4 rad to half its peak, which is several texels
+/// of the mip that wide_lobe.cpp sums over.
+constexpr float wide_alpha = 0.3F;
 /// Where the finest Gaussian lies: GGX's peak is as curved as a Gaussian of sigma = alpha; most of
 /// its parts are wider (see below).
 constexpr float finest_over_alpha = 0.75F;

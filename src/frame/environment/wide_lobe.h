@@ -10,7 +10,7 @@
 namespace facet::frame {
 
 /// Sum over all texels of the mip of side 16 of L D(h) (n.l) omega over that of D(h) (n.l) omega, n
-/// = v = l, for alpha = roughness^2 above about 0.4, where the lobe hardly changes across such a
+/// = v = l, for alpha = roughness^2 above about 0.3, where the lobe hardly changes across such a
 /// texel.
 [[nodiscard]] CubeMip through_wide_lobe(const CubePyramid& pyramid, std::uint32_t side, float alpha,
                                         base::ThreadPool& pool);
