@@ -5,11 +5,11 @@
 struct View {
     mat4 clip_from_world;
     mat4 world_from_clip;
-    vec4 eye_m;          // xyz: the eye; w: 1 perspective, 0 orthographic
-    vec4 forward;        // xyz: unit, where the camera looks; w: unused
-    vec4 size_px;        // width, height, 1 / width, 1 / height
-    uvec4 light_counts;  // directional lights, all lights, tiles across, unused
-    vec4 environment;    // x: last level of the cube; y: intensity; zw: cosine and sine of its turn
-    vec4 background;     // x: level of the cube that shows; yzw: unused
+    vec4 eye_m;             // xyz: the eye; w: 1 perspective, 0 orthographic
+    vec4 forward;           // xyz: unit, where the camera looks; w: unused
+    vec4 size_px;           // width, height, 1 / width, 1 / height
+    uvec4 light_counts;     // directional lights, all lights, tiles across, unused
+    vec4 environment;       // x: last level of the prefiltered cube; yzw: unused
+    vec4 background;        // x: level of the cube that shows; yzw: unused
     vec4 irradiance_sh[9];  // rgb: irradiance / pi by direction, see frame/environment/bake.h
 };

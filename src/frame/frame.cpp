@@ -86,7 +86,7 @@ void Frame::set_view(const gl::Context& gl, const FrameInputs& in,
     const std::uint32_t across = (spec_.region.size.width + tile_px - 1) / tile_px;
     view.light_counts = {in.lights.directional_count, in.lights.count, across, 0U};
     const EnvironmentMaps& e = in.environment;
-    view.environment = {e.last_level, e.background_intensity, e.background_cos, e.background_sin};
+    view.environment = {e.last_level, 0.0F, 0.0F, 0.0F};
     view.background.x = in.background.blur * e.last_level;
     for (std::size_t i = 0; i < e.irradiance_sh.size(); ++i)
         view.irradiance_sh[i] = math::Vec4(e.irradiance_sh[i], 0.0F);
@@ -122,15 +122,15 @@ base::Status Frame::draw_light(const gl::Context& gl, const FrameInputs& in,
                                const shared::View& view,
                                const std::vector<std::size_t>& far_to_near) {
     const ShadeInputs shade{update_light_lists(gl, in, view), in.environment, light_buffers_};
-    if (in.background.kind == BackgroundKind::none || in.background.kind == BackgroundKind::color) {
+    const bool shows_environment = in.background.kind == BackgroundKind::environment;
+    if (!shows_environment) {
         const std::array<float, 4> clear{};
         gl.api().BindFramebuffer(GL_FRAMEBUFFER, radiance_.framebuffer.name());
         gl.api().ClearBufferfv(GL_COLOR, 0, clear.data());
     }
     if (auto s = lighting_pass_.run(gl, gbuffer_, shade, empty_, radiance_); !s) return s;
-    if (auto s = background_pass_.run(gl, in.background.kind, in.environment, empty_, radiance_);
-        !s)
-        return s;
+    if (shows_environment)
+        if (auto s = background_pass_.run(gl, in.environment, empty_, radiance_); !s) return s;
     return blend_pass_.run(gl, in.scene, far_to_near, shade, radiance_);
 }
 

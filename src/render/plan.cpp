@@ -131,7 +131,6 @@ base::Status plan_background(const tables::Settings& settings, Plan& plan) {
     if (text.starts_with("blur:")) {
         const auto blur = base::parse_number(std::string_view(text).substr(5));
         if (blur && *blur >= 0.0 && *blur <= 1.0) {
-            plan.background.kind = frame::BackgroundKind::blurred;
             plan.background.blur = static_cast<float>(*blur);
             return {};
         }

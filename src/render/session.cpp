@@ -49,11 +49,9 @@ base::Status Session::upload(const tables::Settings& settings, base::Warnings& w
     if (!scene) return tl::unexpected(scene.error());
     scene_ = std::move(*scene);
     const brdf::AlbedoTable table = brdf::albedo_table(plan_->brdf);
-    auto environment =
-        frame::upload_environment(*gl_, job_.environment,
-                                  {settings.env_rotation, settings.env_intensity,
-                                   plan_->background.kind == frame::BackgroundKind::sharp},
-                                  table.texels, table.size, *pool_, warnings);
+    auto environment = frame::upload_environment(*gl_, job_.environment,
+                                                 {settings.env_rotation, settings.env_intensity},
+                                                 table.texels, table.size, *pool_, warnings);
     if (!environment) return tl::unexpected(environment.error());
     environment_ = std::move(*environment);
     lights_ = std::make_unique<frame::PackedLights>(frame::pack_lights(job_.scene.lights));

@@ -191,10 +191,11 @@ TEST(Png, pixels_that_unpack_to_more_than_the_header_says_stop_there) {
     for (std::size_t i = 0; i < 4; ++i)
         (*file)[29 + i] = static_cast<std::byte>(crc >> (24 - 8 * i));
     const auto out = test::decoded(*file);
-    if (out)
+    if (out) {
         EXPECT_EQ(out->bytes.size(), 64U * 4 * 3);
-    else
+    } else {
         EXPECT_EQ(out.error().code, base::ErrorCode::input_invalid);
+    }
 }
 
 TEST(Png, floating_point_pixels_are_not_taken_silently) {

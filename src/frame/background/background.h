@@ -7,25 +7,24 @@
 namespace facet::frame {
 
 /// `color` and `none` leave the pixels empty; the display pass lays the picture over the colour.
-enum class BackgroundKind { sharp, blurred, color, none };
+enum class BackgroundKind { environment, color, none };
 
 struct Background {
-    BackgroundKind kind = BackgroundKind::sharp;
+    BackgroundKind kind = BackgroundKind::environment;
     math::Vec3 color{0.0F};  ///< color: display-linear Rec.709
-    float blur = 0.0F;       ///< blurred: 0..1, a roughness
+    float blur = 0.0F;       ///< environment: 0 sharp .. 1, a roughness
 };
 
 class BackgroundPass {
 public:
     explicit BackgroundPass(const gl::ShaderSources& sources) : sources_(&sources) {}
     /// Writes the pixels of `out` whose depth is the far plane.
-    [[nodiscard]] base::Status run(const gl::Context& gl, BackgroundKind kind,
-                                   const EnvironmentMaps& environment, const gl::VertexArray& empty,
-                                   const RadianceTarget& out);
+    [[nodiscard]] base::Status run(const gl::Context& gl, const EnvironmentMaps& environment,
+                                   const gl::VertexArray& empty, const RadianceTarget& out);
 
 private:
     const gl::ShaderSources* sources_;
-    Permutations<BackgroundKind> programs_;
+    gl::Program program_;
 };
 
 }  // namespace facet::frame

@@ -3,7 +3,6 @@
 #include "frame/environment/environment_maps.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace facet::frame {
 namespace {
@@ -26,12 +25,12 @@ base::Status upload_cube(const gl::Context& gl, const BakedEnvironment& baked, g
     return {};
 }
 
-base::Status upload_floats(const gl::Context& gl, math::Extent size, GLenum format, GLenum client,
-                           std::span<const std::byte> bytes, gl::Texture& out) {
-    const gl::TextureSpec spec{.format = format, .size = size};
+base::Status upload_table(const gl::Context& gl, std::span<const float> table, std::uint32_t size,
+                          gl::Texture& out) {
+    const gl::TextureSpec spec{.format = GL_RGBA32F, .size = {size, size}};
     auto texture = gl::make_texture(gl, spec);
     if (!texture) return tl::unexpected(texture.error());
-    if (!bytes.empty()) gl::upload(gl, *texture, spec, 0, 0, {client, GL_FLOAT}, bytes);
+    gl::upload(gl, *texture, spec, 0, 0, {GL_RGBA, GL_FLOAT}, std::as_bytes(table));
     out = std::move(*texture);
     return {};
 }
@@ -53,24 +52,11 @@ base::Result<EnvironmentMaps> upload_environment(const gl::Context& gl,
         bake_environment(latlong, settings.rotation_deg, settings.intensity, pool, warnings);
     out.irradiance_sh = baked.irradiance_sh;
     out.last_level = static_cast<float>(baked.radiance.size() - 1);
-    out.background_cos = std::cos(glm::radians(settings.rotation_deg));
-    out.background_sin = std::sin(glm::radians(settings.rotation_deg));
-    out.background_intensity = settings.intensity;
-    const bool sharp = settings.background_sharp;
     if (auto s = upload_cube(gl, baked, out.radiance_cube); !s) return tl::unexpected(s.error());
-    if (auto s = upload_floats(
-            gl, sharp ? latlong.size : math::Extent{1, 1}, GL_RGB32F, GL_RGB,
-            sharp ? std::span<const std::byte>(latlong.bytes) : std::span<const std::byte>(),
-            out.latlong);
-        !s)
-        return tl::unexpected(s.error());
-    if (auto s = upload_floats(gl, {table_size, table_size}, GL_RGBA32F, GL_RGBA,
-                               std::as_bytes(table), out.albedo_table);
-        !s)
+    if (auto s = upload_table(gl, table, table_size, out.albedo_table); !s)
         return tl::unexpected(s.error());
     out.cube_sampler = gl::make_sampler(
         gl, {GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE});
-    out.latlong_sampler = gl::make_sampler(gl, {GL_LINEAR, GL_LINEAR, GL_REPEAT, GL_CLAMP_TO_EDGE});
     out.table_sampler =
         gl::make_sampler(gl, {GL_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE});
     return out;

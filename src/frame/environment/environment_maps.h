@@ -12,17 +12,10 @@ namespace facet::frame {
 
 struct EnvironmentMaps {
     gl::Texture radiance_cube;  ///< RGBA16F, prefiltered
-    gl::Texture latlong;        ///< RGB32F, for the background; 1x1 where it does not show
     gl::Texture albedo_table;   ///< RGBA32F, brdf/albedo.h
     gl::Sampler cube_sampler;
-    gl::Sampler latlong_sampler;
     gl::Sampler table_sampler;
     float last_level = 0.0F;
-    /// The lat-long picture is shown as it is: these turn and scale it as the bake has turned the
-    /// cube.
-    float background_cos = 1.0F;
-    float background_sin = 0.0F;
-    float background_intensity = 1.0F;
     std::array<math::Vec3, 9> irradiance_sh{};
     bool is_black = false;  ///< nothing to light with: its code is left out
 };
@@ -30,7 +23,6 @@ struct EnvironmentMaps {
 struct EnvironmentSettings {
     float rotation_deg = 0.0F;
     float intensity = 1.0F;
-    bool background_sharp = false;  ///< the lat-long picture itself will show
 };
 
 /// Bakes and uploads. `table`: RGBA f32 [size, size, 4].
