@@ -23,6 +23,9 @@ function(facet_tests room)
     target_include_directories(${program} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
     target_compile_definitions(${program} PRIVATE
       FACET_SOURCE_DIR="${PROJECT_SOURCE_DIR}" FACET_BINARY_DIR="${PROJECT_BINARY_DIR}")
+    if(TARGET facet_oiio)  # opened at run time, beside the program
+      add_dependencies(${program} facet_oiio)
+    endif()
     if(label STREQUAL "cli" AND TARGET facet)
       add_dependencies(${program} facet)
     endif()

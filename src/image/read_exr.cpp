@@ -126,6 +126,15 @@ void read_part(Imf::MultiPartInputFile& file, int index, const Part& part,
     input.readPixels(part.window[1], part.window[3]);
 }
 
+/// The layer that decode() gives, by the rule of its main_layer().
+const LayerPlan& main_plan(const std::vector<LayerPlan>& plans) {
+    for (const LayerPlan& plan : plans)
+        if (plan.layer.name.empty()) return plan;
+    for (const LayerPlan& plan : plans)
+        if (plan.sources.size() >= 3) return plan;
+    return plans.front();
+}
+
 void warn_of_skipped(const Part& part, base::Warnings& warnings) {
     warnings.push_back({.file = {},
                         .where = "header",
@@ -153,9 +162,7 @@ base::Result<Header> read_header(FileBytes file, const base::Limits& limits) {
     const Part& part = parts->front();
     base::Warnings unused;
     const auto plans = plan_layers(part, "", unused);
-    const auto unnamed =
-        std::ranges::find_if(plans, [](const LayerPlan& plan) { return plan.layer.name.empty(); });
-    const LayerPlan& main = unnamed != plans.end() ? *unnamed : plans.front();
+    const LayerPlan& main = main_plan(plans);
     return Header{tables::ImageFormat::exr, part.size,
                   static_cast<std::uint32_t>(main.sources.size()), Sample::f32};
 }

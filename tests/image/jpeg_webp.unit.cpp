@@ -112,7 +112,7 @@ void append_chunk(base::Bytes& out, std::string_view type, std::span<const std::
 
 /// `frame`, a still lossless WebP of 8x6, shown twice at (4, 2) of a canvas of 16x12.
 base::Bytes animated(std::span<const std::byte> frame) {
-    const auto number = [](base::Bytes& out, std::uint32_t value, int bytes) {
+    const auto number = [](base::Bytes& out, std::uint64_t value, int bytes) {
         for (int i = 0; i < bytes; ++i) out.push_back(static_cast<std::byte>(value >> (8 * i)));
     };
     base::Bytes canvas, loop, one, chunks, out;
