@@ -7,7 +7,7 @@ namespace {
 
 base::Result<gl::Program> make(const gl::Context& gl, const gl::ShaderSources& sources) {
     auto program = gl::build_program(
-        gl, sources, {"frame/full_screen.vert", "frame/background/background.frag", ""});
+        gl, sources, {"frame/background/background.vert", "frame/background/background.frag", ""});
     if (!program) return program;
     gl::bind_block(gl, *program, "ViewBlock", view_binding);
     gl::bind_sampler(gl, *program, "radiance_cube", 0);
