@@ -62,13 +62,13 @@ base::Result<Frame> Frame::create(const gl::Context& gl, const gl::ShaderSources
                                         .ids = wants_ids(spec.aovs)});
     if (!gbuffer) return tl::unexpected(gbuffer.error());
     frame.gbuffer_ = std::move(*gbuffer);
-    auto radiance = RadianceTarget::create(gl, size);
+    auto radiance = RadianceTarget::create(gl, size, frame.gbuffer_.depth);
     if (!radiance) return tl::unexpected(radiance.error());
     frame.radiance_ = std::move(*radiance);
     auto accumulate = AccumulatePass::create(gl, sources);
     if (!accumulate) return tl::unexpected(accumulate.error());
     frame.accumulate_pass_ = std::move(*accumulate);
-    auto aovs = frame.aov_pass_.make_targets(gl, spec.aovs, frame.radiance_);
+    auto aovs = frame.aov_pass_.make_targets(gl, spec.aovs, frame.gbuffer_);
     if (!aovs) return tl::unexpected(aovs.error());
     frame.aov_targets_ = std::move(*aovs);
     frame.light_buffers_ = make_light_buffers(gl);
@@ -175,7 +175,7 @@ base::Status Frame::draw_centered_aovs(const gl::Context& gl, const FrameInputs&
     set_view(gl, in, view);
     if (auto s = gbuffer_pass_.run(gl, in.scene, near_to_far(in.scene, view), gbuffer_); !s)
         return s;
-    gl::copy_depth(gl, gbuffer_.framebuffer, radiance_.framebuffer, size());
+    gl.texture_barrier();
     if (auto s =
             aov_pass_.run(gl, gbuffer_, tables::Average::nearest, empty_, size(), aov_targets_);
         !s)

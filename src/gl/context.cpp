@@ -40,6 +40,7 @@ void APIENTRY on_debug_message(GLenum, GLenum type, GLuint, GLenum severity, GLs
 struct Context::State {
     Platform platform;
     Api api;
+    PFNGLTEXTUREBARRIERPROC texture_barrier = nullptr;  ///< null below 4.5
     std::string renderer;
     std::string version;
 
@@ -54,6 +55,8 @@ struct Context::State {
         const auto text = [&](GLenum name) {
             return std::string(reinterpret_cast<const char*>(api.GetString(name)));
         };
+        texture_barrier =
+            reinterpret_cast<PFNGLTEXTUREBARRIERPROC>(platform.loader("glTextureBarrier"));
         renderer = text(GL_RENDERER);
         version = text(GL_VERSION);
         return {};
@@ -105,6 +108,10 @@ const std::string& Context::version() const noexcept { return state_->version; }
 bool Context::is_software() const noexcept {
     return state_->renderer.find("llvmpipe") != std::string::npos ||
            state_->renderer.find("softpipe") != std::string::npos;
+}
+
+void Context::texture_barrier() const {
+    if (state_->texture_barrier != nullptr) state_->texture_barrier();
 }
 
 base::Status Context::check(const char* pass) const {

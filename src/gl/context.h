@@ -42,6 +42,9 @@ public:
     /// Whether the GL's memory is ours: reading back costs a copy and no wait.
     [[nodiscard]] bool is_software() const noexcept;
 
+    /// Lets later draws read textures that are still attached, where the context has the call
+    /// (4.5).
+    void texture_barrier() const;
     /// Returns when every command given so far is complete.
     void finish() const { api().Finish(); }
     /// Errors: internal, naming `pass`, when GL has an error pending; limit_reached when out of

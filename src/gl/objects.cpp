@@ -94,16 +94,6 @@ base::Result<Framebuffer> make_framebuffer(const Context& gl,
     return framebuffer;
 }
 
-void copy_depth(const Context& gl, const Framebuffer& from, const Framebuffer& to,
-                math::Extent size) {
-    const Api& api = gl.api();
-    api.BindFramebuffer(GL_READ_FRAMEBUFFER, from.name());
-    api.BindFramebuffer(GL_DRAW_FRAMEBUFFER, to.name());
-    const auto width = static_cast<GLint>(size.width);
-    const auto height = static_cast<GLint>(size.height);
-    api.BlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
-}
-
 void read_pixels(const Context& gl, const Framebuffer& framebuffer, int index, math::Extent size,
                  const PixelFormat& pixels, std::span<std::byte> out) {
     const Api& api = gl.api();

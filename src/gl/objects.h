@@ -43,10 +43,6 @@ void update_buffer(const Context& gl, const Buffer& buffer, std::span<const std:
                                                          std::span<const Texture* const> colors,
                                                          const Texture* depth);
 
-/// Copies the depth of one framebuffer to another of the same size and depth format.
-void copy_depth(const Context& gl, const Framebuffer& from, const Framebuffer& to,
-                math::Extent size);
-
 /// Reads attachment `index` (or depth with GL_DEPTH_COMPONENT) into `out`, rows from the bottom,
 /// packed.
 void read_pixels(const Context& gl, const Framebuffer& framebuffer, int index, math::Extent size,

@@ -43,16 +43,16 @@ base::Result<gl::Program> AovPass::make(const gl::Context& gl, tables::Aov aov) 
 
 base::Result<std::vector<AovTarget>> AovPass::make_targets(const gl::Context& gl,
                                                            const std::vector<tables::Aov>& aovs,
-                                                           const RadianceTarget& radiance) const {
+                                                           const GBuffer& gbuffer) const {
     std::vector<AovTarget> targets;
     for (const tables::Aov aov : aovs) {
         AovTarget target;
         target.aov = aov;
-        auto sum = gl::make_texture(gl, {.format = GL_RGBA32F, .size = radiance.size});
+        auto sum = gl::make_texture(gl, {.format = GL_RGBA32F, .size = gbuffer.spec.size});
         if (!sum) return tl::unexpected(sum.error());
         target.sum = std::move(*sum);
         const std::array<const gl::Texture*, 1> colors = {&target.sum};
-        auto framebuffer = gl::make_framebuffer(gl, colors, &radiance.depth);
+        auto framebuffer = gl::make_framebuffer(gl, colors, &gbuffer.depth);
         if (!framebuffer) return tl::unexpected(framebuffer.error());
         target.framebuffer = std::move(*framebuffer);
         const std::array<float, 4> zero{};

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "frame/gbuffer/gbuffer.h"
-#include "frame/lighting/lighting.h"
 #include "image/image.h"
 #include "tables/aovs.h"
 
@@ -15,16 +14,15 @@ namespace facet::frame {
 struct AovTarget {
     tables::Aov aov{};
     gl::Texture sum;
-    gl::Framebuffer framebuffer;  ///< shares the radiance target's depth
+    gl::Framebuffer framebuffer;  ///< shares the G-buffer's depth
 };
 
 class AovPass {
 public:
     explicit AovPass(const gl::ShaderSources& sources) : sources_(&sources) {}
-    /// Makes cleared targets; `radiance` outlives them.
+    /// Makes cleared targets; `gbuffer` outlives them.
     [[nodiscard]] base::Result<std::vector<AovTarget>> make_targets(
-        const gl::Context& gl, const std::vector<tables::Aov>& aovs,
-        const RadianceTarget& radiance) const;
+        const gl::Context& gl, const std::vector<tables::Aov>& aovs, const GBuffer& gbuffer) const;
     /// Adds this frame's values to the targets whose average is `average`.
     [[nodiscard]] base::Status run(const gl::Context& gl, const GBuffer& gbuffer,
                                    tables::Average average, const gl::VertexArray& empty,

@@ -71,17 +71,15 @@ void bind_shade_textures(const gl::Context& gl, const ShadeInputs& in) {
     gl::bind_texture(gl, indices_unit, GL_TEXTURE_BUFFER, in.lights.indices_texture, nullptr);
 }
 
-base::Result<RadianceTarget> RadianceTarget::create(const gl::Context& gl, math::Extent size) {
+base::Result<RadianceTarget> RadianceTarget::create(const gl::Context& gl, math::Extent size,
+                                                    const gl::Texture& depth) {
     RadianceTarget out;
     out.size = size;
     auto radiance = gl::make_texture(gl, {.format = GL_RGBA32F, .size = size});
     if (!radiance) return tl::unexpected(radiance.error());
-    auto depth = gl::make_texture(gl, {.format = GL_DEPTH_COMPONENT32F, .size = size});
-    if (!depth) return tl::unexpected(depth.error());
     out.radiance = std::move(*radiance);
-    out.depth = std::move(*depth);
     const std::array<const gl::Texture*, 1> colors = {&out.radiance};
-    auto framebuffer = gl::make_framebuffer(gl, colors, &out.depth);
+    auto framebuffer = gl::make_framebuffer(gl, colors, &depth);
     if (!framebuffer) return tl::unexpected(framebuffer.error());
     out.framebuffer = std::move(*framebuffer);
     return out;
@@ -93,7 +91,7 @@ base::Status LightingPass::run(const gl::Context& gl, const GBuffer& gbuffer, co
     const auto program =
         programs_.get(key, [&](const Key& k) { return make(gl, *sources_, k.shade, k.emissive); });
     if (!program) return tl::unexpected(program.error());
-    gl::copy_depth(gl, gbuffer.framebuffer, out.framebuffer, out.size);
+    gl.texture_barrier();
     gl::begin_draw(gl, out.framebuffer, out.size, **program, {.depth_func = GL_GREATER});
     bind_shade_textures(gl, in);
     gl::bind_texture(gl, albedo_unit, GL_TEXTURE_2D, gbuffer.albedo, nullptr);

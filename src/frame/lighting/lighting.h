@@ -35,15 +35,17 @@ struct ShadeInputs {
 void set_shade_samplers(const gl::Context& gl, const gl::Program& program);
 void bind_shade_textures(const gl::Context& gl, const ShadeInputs& in);
 
-/// Where radiance goes: RGBA32F [height, width, 4], linear Rec.709 in nit, associated alpha; and a
-/// copy of the G-buffer's depth, so that no pass tests against a texture it also reads.
+/// Where radiance goes: RGBA32F [height, width, 4], linear Rec.709 in nit, associated alpha. It
+/// shares the G-buffer's depth: passes test against it while lighting reads it, and none writes it,
+/// which GL allows after a texture barrier.
 struct RadianceTarget {
     math::Extent size;
     gl::Texture radiance;
-    gl::Texture depth;
     gl::Framebuffer framebuffer;
+    /// `depth` outlives the target.
     [[nodiscard]] static base::Result<RadianceTarget> create(const gl::Context& gl,
-                                                             math::Extent size);
+                                                             math::Extent size,
+                                                             const gl::Texture& depth);
 };
 
 class LightingPass {
