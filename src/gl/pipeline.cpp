@@ -22,7 +22,7 @@ void set_pipeline(const Context& gl, const Pipeline& pipeline) {
     api.BlendFunc(GL_ONE, pipeline.blend == Blend::over ? GL_ONE_MINUS_SRC_ALPHA : GL_ONE);
     enable(api, GL_CULL_FACE, pipeline.cull != Cull::none);
     api.CullFace(pipeline.cull == Cull::front ? GL_FRONT : GL_BACK);
-    api.FrontFace(pipeline.clockwise_front ? GL_CW : GL_CCW);
+    api.FrontFace(GL_CCW);
     api.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 

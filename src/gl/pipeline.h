@@ -18,7 +18,6 @@ struct Pipeline {
     bool depth_write = false;
     Blend blend = Blend::off;
     Cull cull = Cull::none;
-    bool clockwise_front = false;  ///< an object mirrored by its matrix
 };
 
 /// Binds the framebuffer with a viewport of its size, the program, and sets every state.

@@ -92,8 +92,10 @@ TEST_F(AovTest, BackFacesAreCulledUnlessTheMaterialIsDoubleSided) {
     EXPECT_NEAR(value(*picture, "normal", 32, 32, 2), 1.0F, 1e-4F) << "it turns to the viewer";
 }
 
-TEST_F(AovTest, AMirroredInstanceShowsItsFrontFaces) {
+// The importer turns the triangles of a mirrored node (scene.h); normals must still point outwards.
+TEST_F(AovTest, AMirroredInstanceOfATurnedMeshShowsItsFrontFaces) {
     shot.scene.instances[0].world_from_object = glm::scale(math::Mat4(1.0F), math::Vec3(-1, 1, 1));
+    shot.scene.meshes[0].indices = {0, 2, 1, 0, 3, 2};
     const auto picture = harness.draw(shot);
     ASSERT_TRUE(picture);
     EXPECT_EQ(value(*picture, "object_id", 32, 32), 1.0F);

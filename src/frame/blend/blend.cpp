@@ -28,8 +28,7 @@ base::Status BlendPass::run(const gl::Context& gl, const GpuScene& scene,
         if (!program) return tl::unexpected(program.error());
         gl::Pipeline pipeline{.depth_func = GL_LEQUAL,
                               .blend = gl::Blend::over,
-                              .cull = draw.double_sided ? gl::Cull::front : gl::Cull::back,
-                              .clockwise_front = draw.mirrored};
+                              .cull = draw.double_sided ? gl::Cull::front : gl::Cull::back};
         gl::begin_draw(gl, out.framebuffer, out.size, **program, pipeline);
         bind_shade_textures(gl, in);
         gl.api().BindVertexArray(scene.vertex_array.name());

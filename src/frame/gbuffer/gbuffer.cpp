@@ -68,8 +68,7 @@ base::Status GBufferPass::run(const gl::Context& gl, const GpuScene& scene,
         if (!program) return tl::unexpected(program.error());
         const gl::Pipeline pipeline{.depth_func = GL_LESS,
                                     .depth_write = true,
-                                    .cull = draw.double_sided ? gl::Cull::none : gl::Cull::back,
-                                    .clockwise_front = draw.mirrored};
+                                    .cull = draw.double_sided ? gl::Cull::none : gl::Cull::back};
         if (*program != current)
             gl::begin_draw(gl, out.framebuffer, out.spec.size, **program, pipeline);
         else

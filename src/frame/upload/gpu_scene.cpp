@@ -84,8 +84,6 @@ public:
         draw.center_m = Vec3(instance.world_from_object * Vec4(mesh.bounds_m.center(), 1.0F));
         draw.blended = material.alpha_mode == scene::AlphaMode::blend;
         draw.double_sided = material.double_sided;
-        const Mat3 linear(instance.world_from_object);
-        draw.mirrored = math::dot(math::cross(linear[0], linear[1]), linear[2]) < 0.0F;
         for (std::size_t slot = 0; slot < material.textures.size(); ++slot)
             if (material.textures[slot])
                 draw.textures[slot] = bound(*material.textures[slot], slot, uses);

@@ -31,7 +31,6 @@ struct Draw {
     math::Vec3 center_m{0.0F};     ///< of its bounds, world space: the order of drawing
     bool blended = false;
     bool double_sided = false;
-    bool mirrored = false;  ///< its matrix turns it inside out
 };
 
 struct GpuScene {
