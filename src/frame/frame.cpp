@@ -94,34 +94,33 @@ void Frame::set_view(const gl::Context& gl, const FrameInputs& in,
     gl.api().BindBufferBase(GL_UNIFORM_BUFFER, view_binding, view_block_.name());
 }
 
-ShadeKey Frame::update_light_lists(const gl::Context& gl, const FrameInputs& in,
-                                   const shared::View& view) {
-    if (uploaded_lights_ != &in.lights) update_lights(gl, light_buffers_, in.lights);
-    uploaded_lights_ = &in.lights;
-    const ShadeKey key{.environment = !in.environment.is_black,
-                       .local_lights = in.lights.count > in.lights.directional_count};
-    if (!key.local_lights) return key;
+ShadeKey Frame::upload_lights(const gl::Context& gl, const FrameInputs& in) {
+    update_lights(gl, light_buffers_, in.lights);
+    return {.environment = !in.environment.is_black,
+            .local_lights = in.lights.count > in.lights.directional_count};
+}
+
+void Frame::update_light_lists(const gl::Context& gl, const FrameInputs& in,
+                               const shared::View& view, bool opaque) {
     const math::Extent size = spec_.region.size;
-    const bool any_blended = std::any_of(in.scene.draws.begin(), in.scene.draws.end(),
-                                         [](const Draw& draw) { return draw.blended; });
     // Reading depth back is a copy on a software renderer, and a stall on any other.
     std::optional<TileDepths> depths;
-    if (gl.is_software() && !any_blended) {
+    if (opaque && gl.is_software()) {
         std::vector<float> depth(static_cast<std::size_t>(size.pixels()));
         gl::read_pixels(gl, gbuffer_.framebuffer, 0, size, {GL_DEPTH_COMPONENT, GL_FLOAT},
                         std::as_writable_bytes(std::span(depth)));
-        depths = tile_depths(depth, size, false);
+        depths = tile_depths(depth, size);
     }
     update_lists(
         gl, light_buffers_,
         build_light_lists(in.lights, view.clip_from_world, size, depths ? &*depths : nullptr));
-    return key;
 }
 
 base::Status Frame::draw_light(const gl::Context& gl, const FrameInputs& in,
                                const shared::View& view,
                                const std::vector<std::size_t>& far_to_near) {
-    const ShadeInputs shade{update_light_lists(gl, in, view), in.environment, light_buffers_};
+    const ShadeInputs shade{upload_lights(gl, in), in.environment, light_buffers_};
+    if (shade.key.local_lights) update_light_lists(gl, in, view, true);
     const bool shows_environment = in.background.kind == BackgroundKind::environment;
     if (!shows_environment) {
         const std::array<float, 4> clear{};
@@ -131,6 +130,11 @@ base::Status Frame::draw_light(const gl::Context& gl, const FrameInputs& in,
     if (auto s = lighting_pass_.run(gl, gbuffer_, shade, empty_, radiance_); !s) return s;
     if (shows_environment)
         if (auto s = background_pass_.run(gl, in.environment, empty_, radiance_); !s) return s;
+    const bool any_blended = std::any_of(in.scene.draws.begin(), in.scene.draws.end(),
+                                         [](const Draw& draw) { return draw.blended; });
+    if (!any_blended) return {};
+    // What is blended lies before the depth that the lists were culled by.
+    if (shade.key.local_lights) update_light_lists(gl, in, view, false);
     return blend_pass_.run(gl, in.scene, far_to_near, shade, radiance_);
 }
 

@@ -81,8 +81,10 @@ private:
           display_pass_(sources) {}
 
     void set_view(const gl::Context& gl, const FrameInputs& in, const shared::View& camera_view);
-    [[nodiscard]] ShadeKey update_light_lists(const gl::Context& gl, const FrameInputs& in,
-                                              const shared::View& view);
+    [[nodiscard]] ShadeKey upload_lights(const gl::Context& gl, const FrameInputs& in);
+    /// `opaque`: for the surfaces of the G-buffer, whose depth leaves out lights.
+    void update_light_lists(const gl::Context& gl, const FrameInputs& in, const shared::View& view,
+                            bool opaque);
     [[nodiscard]] base::Status draw_light(const gl::Context& gl, const FrameInputs& in,
                                           const shared::View& view,
                                           const std::vector<std::size_t>& far_to_near);
@@ -100,7 +102,6 @@ private:
     std::optional<Accumulator> accumulator_;
     std::vector<AovTarget> aov_targets_;
     LightBuffers light_buffers_;
-    const PackedLights* uploaded_lights_ = nullptr;
     gl::Buffer view_block_;
     gl::VertexArray empty_;
 };

@@ -92,20 +92,21 @@ PackedLights pack_lights(std::span<const scene::Light> lights) {
     return packed;
 }
 
-TileDepths tile_depths(std::span<const float> depth, math::Extent size, bool behind_only) {
+TileDepths tile_depths(std::span<const float> depth, math::Extent size) {
     const std::uint32_t across = (size.width + tile_px - 1) / tile_px;
     const std::uint32_t down = (size.height + tile_px - 1) / tile_px;
-    TileDepths out{std::vector<float>(std::size_t{across} * down, behind_only ? 0.0F : 1.0F),
-                   std::vector<float>(std::size_t{across} * down, behind_only ? 1.0F : 0.0F)};
-    for (std::uint32_t y = 0; y < size.height; ++y) {
-        const float* row = depth.data() + std::size_t{y} * size.width;
-        for (std::uint32_t x = 0; x < size.width; ++x) {
-            const std::size_t tile = std::size_t{y / tile_px} * across + x / tile_px;
-            if (row[x] >= 1.0F) continue;  // background
-            out.near[tile] = std::min(out.near[tile], row[x]);
-            out.far[tile] = std::max(out.far[tile], row[x]);
+    TileDepths out{std::vector<float>(std::size_t{across} * down, 1.0F),
+                   std::vector<float>(std::size_t{across} * down, 0.0F)};
+    for (std::uint32_t y = 0; y < size.height; ++y)
+        for (std::uint32_t t = 0; t < across; ++t) {
+            const float* row = depth.data() + std::size_t{y} * size.width;
+            const std::size_t tile = std::size_t{y / tile_px} * across + t;
+            const std::uint32_t end = std::min(size.width, (t + 1) * tile_px);
+            for (std::uint32_t x = t * tile_px; x < end; ++x) {
+                out.near[tile] = std::min(out.near[tile], row[x]);
+                out.far[tile] = std::max(out.far[tile], row[x] < 1.0F ? row[x] : 0.0F);
+            }
         }
-    }
     return out;
 }
 

@@ -35,10 +35,8 @@ struct TileDepths {
     std::vector<float> near;
     std::vector<float> far;
 };
-/// `depth` is [height, width] from the bottom. `behind_only` keeps near at 0, for pictures with
-/// blended surfaces in front of what the depth shows.
-[[nodiscard]] TileDepths tile_depths(std::span<const float> depth, math::Extent size,
-                                     bool behind_only);
+/// `depth` is [height, width] from the bottom.
+[[nodiscard]] TileDepths tile_depths(std::span<const float> depth, math::Extent size);
 
 /// A light is in a tile's list when its sphere touches the box around what is seen through the
 /// tile; lights without range are in all. `depths` may be null: the whole depth is taken.
