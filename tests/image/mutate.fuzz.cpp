@@ -116,27 +116,35 @@ TEST(MutatedPictures, of_png_kinds_that_libpng_reads_return) {
     }
 }
 
+/// Every checksum made to hold, as far as the chunks can be followed.
+void mend_checksums(base::Bytes& file) {
+    for (std::size_t at = 8; at + 12 <= file.size();) {
+        const auto big = [&](std::size_t k) { return std::to_integer<std::size_t>(file[at + k]); };
+        const std::size_t length = big(0) << 24 | big(1) << 16 | big(2) << 8 | big(3);
+        if (length > file.size() - at - 12) return;
+        const std::uint32_t crc = libdeflate_crc32(0, file.data() + at + 4, length + 4);
+        for (std::size_t i = 0; i < 4; ++i)
+            file[at + 8 + length + i] = static_cast<std::byte>(crc >> (24 - 8 * i));
+        at += 12 + length;
+    }
+}
+
 TEST(MutatedPictures, png_with_checksums_that_hold_return) {
-    // Checksums are mended, so that the damage reaches the code behind them.
-    const auto seed = image::encode(test::sample_image({24, 17}, 3, Sample::u8), {.metadata = {}});
-    ASSERT_TRUE(seed);
+    // The damage reaches the code behind the checksums: ours for the plain file, libpng's for the
+    // other.
+    const auto plain = image::encode(test::sample_image({24, 17}, 3, Sample::u8), {.metadata = {}});
+    ASSERT_TRUE(plain);
+    const test::PngKind kind{PNG_COLOR_TYPE_PALETTE, 4, true, true};
+    const test::PngRows rows(17, std::vector<std::uint8_t>(12, 0x31));
+    const base::Bytes palette = test::write_png_kind(kind, {24, 17}, rows);
     std::mt19937 random(5);
-    for (int round = 0; round < 2000; ++round) {
-        base::Bytes file = *seed;
-        file[16 + random() % 13] = static_cast<std::byte>(random());
-        if (random() % 2 == 0)
-            file[file.size() - 20 - random() % 100] = static_cast<std::byte>(random());
-        for (std::size_t at = 8; at + 12 <= file.size();) {
-            const auto big = [&](std::size_t k) {
-                return std::to_integer<std::size_t>(file[at + k]);
-            };
-            const std::size_t length = big(0) << 24 | big(1) << 16 | big(2) << 8 | big(3);
-            if (length > file.size() - at - 12) break;
-            const std::uint32_t crc = libdeflate_crc32(0, file.data() + at + 4, length + 4);
-            for (std::size_t i = 0; i < 4; ++i)
-                file[at + 8 + length + i] = static_cast<std::byte>(crc >> (24 - 8 * i));
-            at += 12 + length;
-        }
+    for (int round = 0; round < 4000; ++round) {
+        base::Bytes file = round % 2 == 0 ? *plain : palette;
+        const std::size_t in_header = 16 + random() % 13;
+        if (random() % 2 == 0) file[in_header] = static_cast<std::byte>(random());
+        const std::size_t behind = 33 + random() % (file.size() - 33);
+        file[behind] = static_cast<std::byte>(random());
+        mend_checksums(file);
         decode_all_ways(file);
     }
 }
