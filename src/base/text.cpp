@@ -94,6 +94,17 @@ std::vector<std::string> nearest(std::string_view name, std::span<const std::str
     return out;
 }
 
+std::string suggestion(std::string_view name, std::span<const std::string> names) {
+    constexpr std::size_t most_listed = 20;
+    const auto near = nearest(name, names);
+    if (!near.empty()) return "did you mean " + join(near, ", ");
+    const auto listed = names.first(std::min(names.size(), most_listed));
+    std::string list = "there is " + join(listed, ", ");
+    if (names.size() > listed.size())
+        list += fmt::format(" and {} more", names.size() - listed.size());
+    return list;
+}
+
 std::vector<std::string_view> split(std::string_view text, char separator) {
     std::vector<std::string_view> parts;
     for (std::size_t at = text.find(separator); at != std::string_view::npos;

@@ -24,6 +24,10 @@ namespace facet::base {
                                                std::span<const std::string> names,
                                                std::size_t most = 3);
 
+/// What to say of a name that is not among `names`: "did you mean A, B", or "there is A, B, C and 5
+/// more" where nothing is near. Not escaped.
+[[nodiscard]] std::string suggestion(std::string_view name, std::span<const std::string> names);
+
 /// Pieces between separators; "a,,b" has three.
 [[nodiscard]] std::vector<std::string_view> split(std::string_view text, char separator);
 [[nodiscard]] std::string_view trimmed(std::string_view text);

@@ -22,12 +22,10 @@ std::string with(std::string_view text, char from, char to) {
 
 tl::unexpected<base::Error> unknown(std::string what, const std::string& found,
                                     const std::vector<std::string>& names) {
-    const auto near = base::nearest(found, names);
     return base::fail({.code = base::ErrorCode::usage,
                        .what = std::move(what),
                        .found = found,
-                       .remedy = near.empty() ? "one of " + base::join(names, ", ")
-                                              : "did you mean " + base::join(near, ", ")});
+                       .remedy = base::suggestion(found, names)});
 }
 
 /// Names of a slot's terms as the user writes them; the index is that of the slot's enumeration.

@@ -128,13 +128,11 @@ std::string list_names() { return base::join(names(), " "); }
 Result<Exit> print_list(const std::string& what, const NamedCommand* command, Io& io) {
     const auto* listing = std::ranges::find(listings, what, &Listing::name);
     if (listing == std::end(listings)) {
-        const auto close = base::nearest(what, names());
         return base::fail({.code = base::ErrorCode::usage,
                            .file = "--list",
                            .what = "no such list",
                            .found = what,
-                           .remedy = close.empty() ? "lists: " + base::join(names(), ", ")
-                                                   : "did you mean " + base::join(close, ", ")});
+                           .remedy = base::suggestion(what, names())});
     }
     const auto entries = listing->entries(scene_argument(command));
     if (!entries) return tl::unexpected(entries.error());

@@ -96,12 +96,10 @@ base::Result<std::string> topic_help(const std::string& topic) {
         if (one.name == topic) return one.text();
         names.emplace_back(one.name);
     }
-    const auto close = base::nearest(topic, names);
     return base::fail({.code = base::ErrorCode::usage,
                        .file = topic,
                        .what = "no such topic",
-                       .remedy = close.empty() ? "topics: " + base::join(names, ", ")
-                                               : "did you mean " + base::join(close, ", ")});
+                       .remedy = base::suggestion(topic, names)});
 }
 
 }  // namespace facet::cli

@@ -27,15 +27,13 @@ using Kernel = std::vector<float>;
 
 constexpr Triple white{0.950428F, 1.0F, 1.088900F};  // D65, of the matrix below
 
-Triple xyz_from_rgb(const Triple& c) {  // IEC 61966-2-1:1999
-    return {0.412391F * c[0] + 0.357584F * c[1] + 0.180481F * c[2],
-            0.212639F * c[0] + 0.715169F * c[1] + 0.072192F * c[2],
-            0.019331F * c[0] + 0.119195F * c[1] + 0.950532F * c[2]};
+Triple xyz_from_rgb(const Triple& c) {
+    const math::Vec3 xyz = math::xyz_from_rec709({c[0], c[1], c[2]});
+    return {xyz.x, xyz.y, xyz.z};
 }
 Triple rgb_from_xyz(const Triple& c) {
-    return {3.240970F * c[0] - 1.537383F * c[1] - 0.498611F * c[2],
-            -0.969244F * c[0] + 1.875968F * c[1] + 0.041555F * c[2],
-            0.055630F * c[0] - 0.203977F * c[1] + 1.056972F * c[2]};
+    const math::Vec3 rgb = math::rec709_from_xyz({c[0], c[1], c[2]});
+    return {rgb.x, rgb.y, rgb.z};
 }
 /// Linearised CIELAB, YCxCz (Andersson et al. 2020, 4.1.1).
 Triple ycxcz_from_xyz(const Triple& c) {

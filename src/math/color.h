@@ -26,4 +26,10 @@ namespace facet::math {
     return 0.2126F * linear.x + 0.7152F * linear.y + 0.0722F * linear.z;
 }
 
+/// CIE XYZ (white at Y = 1) to linear Rec.709 and back, by the matrix of the primaries and D65 of
+/// ITU-R BT.709-6, 1.3 and 1.4; computed, so that no rounded copy of it stands anywhere. Not
+/// clamped.
+[[nodiscard]] Vec3 rec709_from_xyz(const Vec3& xyz);
+[[nodiscard]] Vec3 xyz_from_rec709(const Vec3& linear);
+
 }  // namespace facet::math

@@ -31,19 +31,12 @@ tl::unexpected<base::Error> usage(std::string option, std::string what, std::str
                        .remedy = std::move(remedy)});
 }
 
-/// "did you mean a, b", or the whole list where nothing is near.
-std::string suggestion(std::string_view text, std::span<const std::string> names) {
-    const auto near = base::nearest(text, names);
-    return near.empty() ? "one of " + base::join(names, ", ")
-                        : "did you mean " + base::join(near, ", ");
-}
-
 /// Index of `text` among `names`.
 Result<std::size_t> choose(const char* option, std::string_view text,
                            std::span<const std::string> names) {
     for (std::size_t i = 0; i < names.size(); ++i)
         if (names[i] == text) return i;
-    return usage(option, "no such value", std::string(text), suggestion(text, names));
+    return usage(option, "no such value", std::string(text), base::suggestion(text, names));
 }
 
 template <class Rows>

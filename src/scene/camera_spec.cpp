@@ -37,12 +37,8 @@ base::Result<Orbit> parse_orbit(std::string_view text) {
         const std::string key(base::trimmed(part.substr(0, equals)));
         const std::string_view value =
             equals == std::string_view::npos ? "" : part.substr(equals + 1);
-        if (std::find(keys.begin(), keys.end(), key) == keys.end()) {
-            const auto near = base::nearest(key, keys);
-            return usage_error(
-                "unknown key of orbit", key,
-                near.empty() ? "one of " + base::join(keys, ", ") : "did you mean " + near.front());
-        }
+        if (std::find(keys.begin(), keys.end(), key) == keys.end())
+            return usage_error("unknown key of orbit", key, base::suggestion(key, keys));
         const auto number = base::parse_number(base::trimmed(value));
         const auto vector = parse_vector(key, value, {-1e9, 1e9});
         const bool is_target = key == "target";

@@ -1,5 +1,6 @@
 // Clear sky and sun (Preetham, Shirley & Smits 1999).
 // SPDX-License-Identifier: MIT
+#include "math/color.h"
 #include "scene/environment_models.h"
 
 #include <algorithm>
@@ -14,13 +15,9 @@ constexpr float nit_scale = 1e-4F;
 constexpr float extraterrestrial_lux = 133'800.0F;
 constexpr float smallest_cosine = 0.02F;  // Perez's 1 / cos at the horizon
 
-/// CIE xyY to linear Rec.709 (matrix of the BT.709 primaries and D65).
+/// CIE xyY to linear Rec.709.
 Vec3 rgb_from_yxy(float luminance, float x, float y) {
-    const float big_x = x / y * luminance;
-    const float big_z = (1.0F - x - y) / y * luminance;
-    return {3.2404542F * big_x - 1.5371385F * luminance - 0.4985314F * big_z,
-            -0.9692660F * big_x + 1.8760108F * luminance + 0.0415560F * big_z,
-            0.0556434F * big_x - 0.2040259F * luminance + 1.0572252F * big_z};
+    return math::rec709_from_xyz({x / y * luminance, luminance, (1.0F - x - y) / y * luminance});
 }
 
 /// Zenith chromaticity, appendix A.2: a cubic in the sun's zenith angle, quadratic in turbidity.

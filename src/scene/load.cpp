@@ -35,13 +35,11 @@ base::Result<fs::path> resolve(const std::string& name) {
     if (!folder) return tl::unexpected(folder.error());
     if (std::find(names.begin(), names.end(), scene) != names.end())
         return find_builtin(*folder / "resources/scenes", scene);
-    const std::vector<std::string> near = base::nearest(scene, names);
     return base::fail({.code = ErrorCode::usage,
                        .file = name,
                        .what = "no such built-in scene",
                        .found = {},
-                       .remedy = near.empty() ? "there are: " + base::join(names, ", ")
-                                              : "did you mean " + base::join(near, " or ")});
+                       .remedy = base::suggestion(scene, names)});
 }
 
 fs::path folder_of(const fs::path& path) {
