@@ -178,12 +178,29 @@ base::Status plan_machine(const tables::Settings& settings, Plan& plan) {
     return {};
 }
 
+/// What the frame's targets and their copies take, a pixel: G-buffer 20, radiance and sum 16 each,
+/// display 8, and what is read back of them.
+constexpr std::uint64_t frame_bytes = 80;
+constexpr std::uint64_t aov_bytes = 48;  // target, read-back and layer
+
+base::Status check_memory(const tables::Settings& settings, Plan& plan) {
+    const std::uint64_t pixels = plan.region.size.pixels();
+    const std::uint64_t needed = pixels * (frame_bytes + aov_bytes * plan.aovs.size());
+    if (needed <= plan.limits.memory_bytes) return {};
+    return base::fail({.code = ErrorCode::limit_reached,
+                       .file = "--size",
+                       .what = fmt::format("the frame needs {} MiB, the limit is {} MiB",
+                                           needed >> 20U, plan.limits.memory_bytes >> 20U),
+                       .found = fmt::format("{}x{}", settings.size.width, settings.size.height),
+                       .remedy = "--region renders it in parts, --max-memory raises the limit"});
+}
+
 }  // namespace
 
 Result<Plan> make_plan(const tables::Settings& settings) {
     Plan plan;
-    for (const auto step :
-         {plan_size, plan_quality, plan_background, plan_exposure, plan_aovs, plan_machine})
+    for (const auto step : {plan_size, plan_quality, plan_background, plan_exposure, plan_aovs,
+                            plan_machine, check_memory})
         if (auto status = step(settings, plan); !status) return tl::unexpected(status.error());
     auto brdf = brdf::parse_choice(settings.brdf, brdf::Use::render);
     if (!brdf) return tl::unexpected(base::in_file(brdf.error(), "--brdf"));
