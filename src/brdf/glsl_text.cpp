@@ -33,13 +33,14 @@ const tables::BrdfTerm* chosen(std::string_view slot, const tables::BrdfChoice& 
 
 }  // namespace
 
-base::Result<std::string> glsl_text(const tables::BrdfChoice& choice) {
+base::Result<std::string> glsl_text(const tables::BrdfChoice& choice, Parts parts) {
     const bool has_fresnel = choice.fresnel != tables::Fresnel::none;
     const bool conserves = choice.multiscatter != tables::Multiscatter::off && has_fresnel;
     std::string includes;
     std::string slots;
     std::set<std::string_view> seen;
     for (const tables::BrdfSlotFunction& function : tables::brdf_slot_functions) {
+        if (function.samples && parts == Parts::shading) continue;
         const tables::BrdfTerm* term = chosen(function.slot, choice);
         if (term == nullptr)
             return base::fail({.what = "brdf_terms.def has no row for a slot",
@@ -58,6 +59,7 @@ base::Result<std::string> glsl_text(const tables::BrdfChoice& choice) {
     for (const char* part :
          {"albedo_coordinates", "brdf_types", "conserving", "cook_torrance", "model"})
         text += fmt::format("#include \"brdf/model/{}.glsl\"\n", part);
+    if (parts == Parts::sampling) text += "#include \"brdf/model/sampling.glsl\"\n";
     return text;
 }
 

@@ -9,8 +9,12 @@
 
 namespace facet::brdf {
 
+/// Shading alone, or with brdf_sample and brdf_pdf of glsl/brdf/model/sampling.glsl.
+enum class Parts { shading, sampling };
+
 /// Text made of `#include "brdf/…"` lines (from the glsl folder) and one-line slot functions.
 /// Defines FACET_BRDF_NEEDS_E_L: 1 where brdf_light reads its e_l.
-[[nodiscard]] base::Result<std::string> glsl_text(const tables::BrdfChoice& choice);
+[[nodiscard]] base::Result<std::string> glsl_text(const tables::BrdfChoice& choice,
+                                                  Parts parts = Parts::shading);
 
 }  // namespace facet::brdf

@@ -140,3 +140,51 @@ real slot_width([[maybe_unused]] real roughness) {
     }
     return real(real(0));
 }
+
+real3 slot_sample_half([[maybe_unused]] real3 v, real alpha, real2 u) {
+    using Chosen = tables::Distribution;
+    switch (choice.distribution) {
+#define FACET_WANT_sample_half ~,
+#define TERM(slot, name, files, call, ...) \
+    FACET_SELECT(FACET_WANT_##slot case Chosen::name : return real3(call);)
+#include "tables/brdf_terms.def"
+#undef FACET_WANT_sample_half
+    }
+    return real3(real(0));
+}
+
+real slot_pdf_reflected(real n_dot_v, real n_dot_h, real v_dot_h, real alpha) {
+    using Chosen = tables::Distribution;
+    switch (choice.distribution) {
+#define FACET_WANT_pdf_reflected ~,
+#define TERM(slot, name, files, call, ...) \
+    FACET_SELECT(FACET_WANT_##slot case Chosen::name : return real(call);)
+#include "tables/brdf_terms.def"
+#undef FACET_WANT_pdf_reflected
+    }
+    return real(real(0));
+}
+
+real3 slot_sample_diffuse(real2 u) {
+    using Chosen = tables::Diffuse;
+    switch (choice.diffuse) {
+#define FACET_WANT_sample_diffuse ~,
+#define TERM(slot, name, files, call, ...) \
+    FACET_SELECT(FACET_WANT_##slot case Chosen::name : return real3(call);)
+#include "tables/brdf_terms.def"
+#undef FACET_WANT_sample_diffuse
+    }
+    return real3(real(0));
+}
+
+real slot_pdf_diffuse(real n_dot_l) {
+    using Chosen = tables::Diffuse;
+    switch (choice.diffuse) {
+#define FACET_WANT_pdf_diffuse ~,
+#define TERM(slot, name, files, call, ...) \
+    FACET_SELECT(FACET_WANT_##slot case Chosen::name : return real(call);)
+#include "tables/brdf_terms.def"
+#undef FACET_WANT_pdf_diffuse
+    }
+    return real(real(0));
+}

@@ -112,9 +112,11 @@ inline constexpr auto brdf_terms = std::to_array<BrdfTerm>({
 struct BrdfSlotFunction {
     std::string_view slot;
     std::string_view signature;
+    bool samples = false;  ///< for drawing directions; shading does without
 };
 inline constexpr auto brdf_slot_functions = std::to_array<BrdfSlotFunction>({
 #define SLOT(slot, ...) {#slot, #__VA_ARGS__},
+#define SAMPLER(slot, ...) {#slot, #__VA_ARGS__, true},
 #include "tables/brdf_slots.def"
 });
 

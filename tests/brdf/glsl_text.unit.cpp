@@ -54,7 +54,7 @@ TEST(BrdfGlslText, DefinesEverySlotOnceForEveryChoice) {
                 index += row.slot == slot.key ? 1U : 0U;
             }
             slot.set(choice, index);
-            const auto text = glsl_text(choice);
+            const auto text = glsl_text(choice, Parts::sampling);
             ASSERT_TRUE(text) << base::to_line(text.error());
             EXPECT_NE(text->find("return " + std::string(term.call) + ";"), std::string::npos)
                 << slot.key << "=" << term.name;

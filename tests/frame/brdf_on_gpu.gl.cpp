@@ -221,7 +221,9 @@ TEST(BrdfOnGpu, EveryTermCompilesInItsSlot) {
     const std::string all =
         "BrdfView v = brdf_view(brdf_surface(p.xyz, p.w, q.x), q.y, p);\n"
         "BrdfValue f = brdf_light(v, q.x, q.y, q.z, q.w);\nBrdfValue e = brdf_environment(v);\n"
-        "result = vec4(f.diffuse + f.specular + e.diffuse + e.specular, 1.0);\n";
+        "BrdfSampler s = brdf_sampler(v, q.xyz);\nvec3 l = brdf_sample(v, s, p.xy, p.z);\n"
+        "result = vec4(f.diffuse + f.specular + e.diffuse + e.specular + l, brdf_pdf(v, s, q.x, "
+        "q.y, q.z));\n";
     for (const tables::BrdfSlot& slot : tables::brdf_slots) {
         std::size_t index = 0;
         for (const tables::BrdfTerm& term : tables::brdf_terms) {

@@ -68,7 +68,7 @@ public:
     base::Result<gl::Program> compile(const tables::BrdfChoice& choice,
                                       const std::string& statements) {
         if (!gl_) return tl::unexpected(gl_.error());
-        const auto text = brdf::glsl_text(choice);
+        const auto text = brdf::glsl_text(choice, brdf::Parts::sampling);
         if (!text) return tl::unexpected(text.error());
         const std::string main =
             "#include \"generated/brdf.glsl\"\nuniform sampler2D p_rows;\nuniform sampler2D "

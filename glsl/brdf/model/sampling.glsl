@@ -1,0 +1,34 @@
+// Directions of light drawn as the model reflects it, for the reference: one of two lobes by its share of the albedo.
+
+// What both need of a pixel. All directions are in the frame of the normal, z along it.
+struct BrdfSampler {
+    real3 v;        // to the viewer, v.z > 0
+    real specular;  // [0, 1] share of the samples that the specular lobe gets
+};
+
+BrdfSampler brdf_sampler(BrdfView view, real3 v) {
+    BrdfValue weight = brdf_environment(view);
+    real diffuse = weight.diffuse.x + weight.diffuse.y + weight.diffuse.z;
+    real specular = weight.specular.x + weight.specular.y + weight.specular.z;
+    BrdfSampler s;
+    s.v = v;
+    s.specular = specular / max(specular + diffuse, DIVISOR_MIN);
+    // Where both reflect, neither is left to the other's samples and their weights without bound.
+    if (diffuse > real(0.0)) s.specular = clamp(s.specular, LOBE_SHARE_MIN, real(1.0) - LOBE_SHARE_MIN);
+    return s;
+}
+
+// u        [0, 1)^2  uniform
+// lobe     [0, 1)    uniform; chooses the lobe
+// returns  unit      to the light; below the surface (z <= 0) where a facet sends it there: such samples count as 0
+real3 brdf_sample(BrdfView view, BrdfSampler s, real2 u, real lobe) {
+    if (lobe >= s.specular) return slot_sample_diffuse(u);
+    real3 h = slot_sample_half(s.v, view.surface.alpha, u);
+    return h * (real(2.0) * dot(s.v, h)) - s.v;
+}
+
+// returns  [1/sr]  density of brdf_sample at a direction with these cosines
+real brdf_pdf(BrdfView view, BrdfSampler s, real n_dot_l, real n_dot_h, real v_dot_h) {
+    real specular = slot_pdf_reflected(s.v.z, n_dot_h, v_dot_h, view.surface.alpha);
+    return s.specular * specular + (real(1.0) - s.specular) * slot_pdf_diffuse(n_dot_l);
+}
