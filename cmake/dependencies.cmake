@@ -36,6 +36,10 @@ find_path(FACET_GL_INCLUDE GL/glcorearb.h REQUIRED)
 add_library(facet_dep_gl_headers INTERFACE)
 target_include_directories(facet_dep_gl_headers SYSTEM INTERFACE ${FACET_GL_INCLUDE})
 
+find_package(embree 3 REQUIRED)
+add_library(facet_dep_embree INTERFACE)
+target_link_libraries(facet_dep_embree INTERFACE embree)
+
 find_package(CLI11 REQUIRED)
 add_library(facet_dep_cli INTERFACE)
 target_link_libraries(facet_dep_cli INTERFACE CLI11::CLI11)

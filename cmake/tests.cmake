@@ -49,7 +49,7 @@ function(facet_tests room)
   endforeach()
 endfunction()
 
-foreach(room base math tables image brdf scene gl frame render cli)
+foreach(room base math tables image brdf scene gl frame trace render cli)
   facet_tests(${room})
 endforeach()
 

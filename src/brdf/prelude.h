@@ -28,5 +28,7 @@ static real acos(real x) { return std::acos(x); }
 static real erf(real x) { return std::erf(x); }
 static real dot(const real3& a, const real3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 static real3 normalize(const real3& x) { return x * (real(1) / std::sqrt(dot(x, x))); }
+static real abs(real x) { return std::fabs(x); }
+static real3 cross(const real3& a, const real3& b) { return glm::cross(a, b); }
 static real3 max(const real3& a, const real3& b) { return glm::max(a, b); }
 static real3 clamp(const real3& x, real low, real high) { return glm::clamp(x, low, high); }

@@ -201,6 +201,18 @@ base::Status Frame::display(const gl::Context& gl, const DisplaySettings& settin
     return gl.check("display");
 }
 
+base::Status Frame::display_picture(const gl::Context& gl, const image::Image& radiance,
+                                    const DisplaySettings& settings) {
+    const gl::TextureSpec spec{.format = GL_RGBA32F, .size = radiance.size};
+    auto texture = gl::make_texture(gl, spec);
+    if (!texture) return tl::unexpected(texture.error());
+    image::Image from_bottom = radiance;
+    flip_rows(from_bottom);
+    gl::upload(gl, *texture, spec, 0, 0, {GL_RGBA, GL_FLOAT}, from_bottom.bytes);
+    if (auto s = display_pass_.run(gl, *texture, radiance.size, settings, empty_); !s) return s;
+    return gl.check("display");
+}
+
 std::vector<image::Layer> Frame::read_aovs(const gl::Context& gl, std::uint32_t count) const {
     std::vector<image::Layer> layers;
     for (const AovTarget& target : aov_targets_) {

@@ -63,6 +63,9 @@ public:
     [[nodiscard]] const gl::Framebuffer& depth_framebuffer() const { return gbuffer_.framebuffer; }
     /// Encodes the frames drawn for a screen, on the GL; read_display() fetches it.
     [[nodiscard]] base::Status display(const gl::Context& gl, const DisplaySettings& settings);
+    /// Likewise a picture that comes from elsewhere: f32 [height, width, 4], rows from the top.
+    [[nodiscard]] base::Status display_picture(const gl::Context& gl, const image::Image& radiance,
+                                               const DisplaySettings& settings);
     [[nodiscard]] image::Image read_display(const gl::Context& gl) const {
         return display_pass_.read(gl);
     }

@@ -39,6 +39,14 @@ base::Result<Job> load_job(const Request& request, const Plan& plan, base::Threa
         if (!light) return tl::unexpected(base::in_file(light.error(), "--light"));
         job.scene.lights.push_back(std::move(*light));
     }
+    if (!plan.reference || settings.compare)
+        for (const scene::Light& light : job.scene.lights)
+            if (scene::area_m2(light) > 0.0F)
+                return base::fail({.code = base::ErrorCode::feature_missing,
+                                   .file = "--light",
+                                   .what = "lights with a size are not in the rasteriser yet",
+                                   .found = light.name,
+                                   .remedy = "--reference SPP traces them"});
     for (const std::string& text : settings.set)
         if (auto set = scene::apply_set(job.scene, text); !set)
             return tl::unexpected(base::in_file(set.error(), "--set"));

@@ -168,6 +168,40 @@ base::Status plan_aovs(const tables::Settings& settings, Plan& plan) {
     return {};
 }
 
+/// More would take days; the Sobol points have 2^32.
+constexpr std::uint32_t most_reference_samples = 1U << 20U;
+constexpr std::uint32_t most_auto_samples = 1U << 14U;
+
+base::Status plan_reference(const tables::Settings& settings, Plan& plan) {
+    const std::string_view text = settings.reference;
+    if (text.empty()) {
+        const char* option = settings.time_limit ? "--time-limit"
+                             : settings.compare  ? "--compare"
+                                                 : nullptr;
+        if (option == nullptr) return {};
+        return usage(option, "is for the reference", "",
+                     "add --reference SPP, for example --reference 64");
+    }
+    ReferencePlan reference{.time_s = settings.time_limit};
+    constexpr std::string_view automatic = "auto:";
+    const auto number = text.starts_with(automatic)
+                            ? base::parse_number(text.substr(automatic.size()))
+                            : std::nullopt;
+    const auto count = base::parse_integer(text);
+    if (number && *number > 0.0 && *number < 1.0) {
+        reference.noise = *number;
+        reference.samples = most_auto_samples;
+    } else if (count && *count >= 1 && *count <= most_reference_samples) {
+        reference.samples = static_cast<std::uint32_t>(*count);
+    } else {
+        return usage("--reference", "neither samples per pixel nor auto:NOISE", settings.reference,
+                     fmt::format("1 to {}, or auto:0.01 for an error of 0.01 in display values",
+                                 most_reference_samples));
+    }
+    plan.reference = reference;
+    return {};
+}
+
 base::Status plan_machine(const tables::Settings& settings, Plan& plan) {
     const std::array<std::string, 3> names = {"auto", "egl", "osmesa"};
     const auto backend = choose("--backend", settings.backend, names);
@@ -200,7 +234,7 @@ base::Status check_memory(const tables::Settings& settings, Plan& plan) {
 Result<Plan> make_plan(const tables::Settings& settings) {
     Plan plan;
     for (const auto step : {plan_size, plan_quality, plan_background, plan_exposure, plan_aovs,
-                            plan_machine, check_memory})
+                            plan_reference, plan_machine, check_memory})
         if (auto status = step(settings, plan); !status) return tl::unexpected(status.error());
     auto brdf = brdf::parse_choice(settings.brdf, brdf::Use::render);
     if (!brdf) return tl::unexpected(base::in_file(brdf.error(), "--brdf"));

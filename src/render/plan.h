@@ -18,6 +18,13 @@
 
 namespace facet::render {
 
+/// What --reference asks for.
+struct ReferencePlan {
+    std::uint32_t samples = 0;    ///< per pixel; at most, where `noise` is given
+    std::optional<double> noise;  ///< root mean square error in display values
+    std::optional<double> time_s;
+};
+
 struct Plan {
     math::Extent picture;
     frame::Region region;
@@ -29,6 +36,7 @@ struct Plan {
     tables::Tonemap tonemap = tables::Tonemap::pbr_neutral;
     tables::BrdfChoice brdf;
     std::vector<tables::Aov> aovs;
+    std::optional<ReferencePlan> reference;
     gl::Backend backend = gl::Backend::automatic;
     base::Limits limits;
 };

@@ -4,6 +4,7 @@
 
 #include "base/thread_pool.h"
 #include "render/plan.h"
+#include "render/reference.h"
 #include "render/session.h"
 #include "render/stopwatch.h"
 
@@ -30,12 +31,40 @@ void clean(std::vector<image::Layer>& layers, base::Warnings& warnings) {
     }
 }
 
-base::Status draw(Session& session, const Request& request, const Plan& plan, Rendered& out) {
+/// What a picture is made with, apart from what it shows.
+struct Tools {
+    base::ThreadPool& pool;
+    const base::Progress& progress;
+};
+
+/// The traced picture in place of the drawn one.
+base::Status draw_reference(Session& session, const Request& request, const Plan& plan,
+                            const Tools& tools, Rendered& out) {
+    auto radiance =
+        trace_reference(session, request, plan, out.exposure, tools.pool, tools.progress, out);
+    if (!radiance) return tl::unexpected(radiance.error());
+    if (request.want_linear) {
+        session.lay_over_background(*radiance, out.exposure);
+        out.layers.push_back(
+            {.name = "", .channels = {"R", "G", "B", "A"}, .image = std::move(*radiance)});
+        return {};
+    }
+    if (auto shown = session.display_picture(*radiance, out.exposure); !shown) return shown;
+    out.display = session.read_display();
+    return {};
+}
+
+base::Status draw(Session& session, const Request& request, const Plan& plan, const Tools& tools,
+                  Rendered& out) {
     const std::uint32_t count = plan.sample_count;
-    for (std::uint32_t i = 0; i < count; ++i)
+    // The rasteriser measures the exposure of the reference too: both are shown alike.
+    const bool rasterises = !plan.reference || !plan.exposure || !plan.aovs.empty();
+    for (std::uint32_t i = 0; i < count && rasterises; ++i)
         if (auto drawn = session.draw(i, count); !drawn) return drawn;
     out.exposure = plan.exposure ? *plan.exposure : session.measure_exposure(count);
-    if (request.want_linear) {
+    if (plan.reference) {
+        if (auto drawn = draw_reference(session, request, plan, tools, out); !drawn) return drawn;
+    } else if (request.want_linear) {
         out.layers.push_back(session.read_beauty(out.exposure, count));
     } else {
         if (auto shown = session.display(out.exposure, count); !shown) return shown;
@@ -49,7 +78,8 @@ base::Status draw(Session& session, const Request& request, const Plan& plan, Re
 
 }  // namespace
 
-base::Result<Rendered> render(const Request& request, base::Log& log) {
+base::Result<Rendered> render(const Request& request, base::Log& log,
+                              const base::Progress& progress) {
     const auto plan = make_plan(request.settings);
     if (!plan) return tl::unexpected(plan.error());
     base::ThreadPool pool(request.settings.threads);
@@ -57,7 +87,7 @@ base::Result<Rendered> render(const Request& request, base::Log& log) {
     auto session = Session::create(request, *plan, pool, log, out);
     if (!session) return tl::unexpected(session.error());
     Stopwatch watch;
-    if (auto drawn = draw(*session, request, *plan, out); !drawn)
+    if (auto drawn = draw(*session, request, *plan, {pool, progress}, out); !drawn)
         return tl::unexpected(drawn.error());
     out.ms.render = watch.lap_ms();
     log.debug("load {:.0f} ms, upload {:.0f} ms, render {:.0f} ms", out.ms.load, out.ms.upload,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/log.h"
+#include "base/progress.h"
 #include "base/result.h"
 #include "image/image.h"
 #include "image/read.h"
@@ -10,6 +11,7 @@
 #include "tables/settings.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,6 +33,17 @@ struct Times {
     double write = 0.0;
 };
 
+/// How a reference came about.
+struct ReferenceReport {
+    double samples = 0.0;  ///< per pixel, on average
+    double noise = 0.0;    ///< estimated root mean square error in display values
+    std::uint64_t paths = 0;
+    std::uint64_t rays = 0;
+    bool stopped_by_time = false;
+    double build_s = 0.0;
+    double trace_s = 0.0;
+};
+
 /// A finished picture.
 struct Rendered {
     math::Extent size;
@@ -42,20 +55,23 @@ struct Rendered {
     std::string backend;    ///< "egl (llvmpipe (LLVM 15.0.6, 256 bits))"
     std::uint64_t triangles = 0;
     std::size_t materials = 0;
+    std::optional<ReferenceReport> reference;
     base::Warnings warnings;
     std::vector<std::filesystem::path> reads;
     Times ms;
 };
 
-/// Loads, uploads, renders. Errors: those of the loader, of the settings (usage), no_backend,
-/// limit_reached.
-[[nodiscard]] base::Result<Rendered> render(const Request& request, base::Log& log);
+/// Loads, uploads, renders. `progress` hears of the reference's samples. Errors: those of the
+/// loader, of the settings (usage), no_backend, limit_reached.
+[[nodiscard]] base::Result<Rendered> render(const Request& request, base::Log& log,
+                                            const base::Progress& progress = {});
 
 /// render() and the file, or files: AOVs go into an EXR, or beside other formats as STEM.AOV.png.
 /// The format is chosen by `output`'s ending. Everything that can be refused is refused before
 /// rendering.
 [[nodiscard]] base::Result<Rendered> render_to_file(const Request& request,
                                                     const std::filesystem::path& output,
-                                                    base::Log& log);
+                                                    base::Log& log,
+                                                    const base::Progress& progress = {});
 
 }  // namespace facet::render

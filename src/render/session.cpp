@@ -82,7 +82,7 @@ double Session::measure_exposure(std::uint32_t count) {
     return frame::auto_exposure(radiance, depth, count, *pool_);
 }
 
-base::Status Session::display(double exposure, std::uint32_t count) {
+frame::DisplaySettings Session::display_settings(double exposure, std::uint32_t count) const {
     frame::DisplaySettings settings{
         .tonemap = plan_->tonemap,
         .exposure = exposure,
@@ -91,7 +91,26 @@ base::Status Session::display(double exposure, std::uint32_t count) {
         .dither = !plan_->is_draft && plan_->display_sample == image::Sample::u8};
     if (plan_->background.kind == frame::BackgroundKind::color)
         settings.background = plan_->background.color;
-    return frame_->display(*gl_, settings);
+    return settings;
+}
+
+base::Status Session::display(double exposure, std::uint32_t count) {
+    return frame_->display(*gl_, display_settings(exposure, count));
+}
+
+base::Status Session::display_picture(const image::Image& radiance, double exposure) {
+    return frame_->display_picture(*gl_, radiance, display_settings(exposure, 1));
+}
+
+void Session::lay_over_background(image::Image& radiance, double exposure) const {
+    if (plan_->background.kind != frame::BackgroundKind::color) return;
+    const math::Vec3 under = plan_->background.color / static_cast<float>(exposure);
+    const auto values = radiance.as<float>();
+    for (std::size_t i = 0; i < values.size(); i += 4) {
+        for (std::size_t c = 0; c < 3; ++c)
+            values[i + c] += under[static_cast<int>(c)] * (1.0F - values[i + 3]);
+        values[i + 3] = 1.0F;
+    }
 }
 
 void Session::set_lights(std::span<const scene::Light> lights) {
@@ -104,16 +123,8 @@ image::Layer Session::read_beauty(double exposure, std::uint32_t count) const {
         .channels = {"R", "G", "B", "A"},
         .image = frame::read_radiance(*gl_, frame_->sum_framebuffer(count), frame_->size())};
     const float share = 1.0F / static_cast<float>(count);
-    const bool over_color = plan_->background.kind == frame::BackgroundKind::color;
-    const math::Vec3 under = plan_->background.color / static_cast<float>(exposure);
-    const auto values = layer.image.as<float>();
-    for (std::size_t i = 0; i < values.size(); i += 4) {
-        const float alpha = values[i + 3] * share;
-        for (std::size_t c = 0; c < 3; ++c)
-            values[i + c] = values[i + c] * share +
-                            (over_color ? under[static_cast<int>(c)] * (1.0F - alpha) : 0.0F);
-        values[i + 3] = over_color ? 1.0F : alpha;
-    }
+    for (float& value : layer.image.as<float>()) value *= share;
+    lay_over_background(layer.image, exposure);
     return layer;
 }
 

@@ -30,8 +30,14 @@ public:
     [[nodiscard]] base::Status display(double exposure, std::uint32_t count);
     [[nodiscard]] image::Image read_display() const { return frame_->read_display(*gl_); }
     [[nodiscard]] const scene::Scene& scene() const { return job_.scene; }
+    [[nodiscard]] const Job& job() const { return job_; }
     /// Replaces the scene's lights from the next frame on.
     void set_lights(std::span<const scene::Light> lights);
+    /// display() of a picture that comes from elsewhere: f32 [height, width, 4], nit, associated
+    /// coverage.
+    [[nodiscard]] base::Status display_picture(const image::Image& radiance, double exposure);
+    /// Lays radiance over the background colour, where one is named.
+    void lay_over_background(image::Image& radiance, double exposure) const;
     /// Beauty as radiance in nit, over the background colour where one is named.
     [[nodiscard]] image::Layer read_beauty(double exposure, std::uint32_t count) const;
     [[nodiscard]] std::vector<image::Layer> read_aovs(std::uint32_t count) const;
@@ -40,6 +46,8 @@ public:
 
 private:
     Session(const Plan& plan, base::ThreadPool& pool) : plan_(&plan), pool_(&pool) {}
+    [[nodiscard]] frame::DisplaySettings display_settings(double exposure,
+                                                          std::uint32_t count) const;
     [[nodiscard]] base::Status upload(const tables::Settings& settings, base::Warnings& warnings);
 
     const Plan* plan_;

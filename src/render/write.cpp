@@ -156,7 +156,7 @@ base::Result<base::Bytes> encode(const Rendered& rendered, const image::WriteOpt
 }  // namespace
 
 base::Result<Rendered> render_to_file(const Request& request, const fs::path& output,
-                                      base::Log& log) {
+                                      base::Log& log, const base::Progress& progress) {
     const auto format = format_by_ending(output);
     if (!format) return tl::unexpected(format.error());
     const tables::ImageFormatRow& row = tables::row(*format);
@@ -166,7 +166,7 @@ base::Result<Rendered> render_to_file(const Request& request, const fs::path& ou
         return tl::unexpected(writable.error());
     Request wanted = request;
     wanted.want_linear = row.scene_linear;
-    auto rendered = render(wanted, log);
+    auto rendered = render(wanted, log, progress);
     if (!rendered) return rendered;
     if (auto allowed = check_result(request, output, *rendered); !allowed)
         return tl::unexpected(allowed.error());

@@ -23,11 +23,10 @@ constexpr Range metres{-1e9, 1e9};
 constexpr Range intensities{0.0, 1e9};
 constexpr float default_lux = 3.0F;
 constexpr float default_candela = 10.0F;
+constexpr float default_nit = 10.0F;
+constexpr Range sizes_m{1e-4, 1e6};
 constexpr float default_elevation_deg = 45.0F;
 constexpr float smallest_outer_deg = 0.1F;
-
-// A scene, batch or studio may name these already; a plain answer beats an unknown name.
-constexpr std::array<std::string_view, 4> later_kinds = {"rect", "disk", "sphere", "tube"};
 
 base::Status set_name(Light& light, std::string_view value) {
     light.name = value;
@@ -54,6 +53,10 @@ base::Status set_intensity(Light& light, std::string_view key, std::string_view 
     if (!number) return tl::unexpected(number.error());
     light.intensity = *number;
     if (key != "lumen") return {};
+    if (const float area = area_m2(light); area > 0.0F) {
+        light.intensity = *number / (math::pi * area);  // physics: 10.3
+        return {};
+    }
     const float solid_angle_sr = light.kind == LightKind::spot
                                      ? 2.0F * math::pi * (1.0F - std::cos(light.outer_cone_rad))
                                      : 4.0F * math::pi;
@@ -100,6 +103,13 @@ base::Status set_cone(Light& light, std::string_view key, std::string_view value
     return {};
 }
 
+base::Status set_size(float& size_m, std::string_view key, std::string_view value) {
+    const auto metres_long = parse_in_range(key, value, sizes_m);
+    if (!metres_long) return tl::unexpected(metres_long.error());
+    size_m = *metres_long;
+    return {};
+}
+
 base::Status set_range(Light& light, std::string_view value) {
     const auto range = parse_in_range("range", value, {0.0, 1e9});
     if (!range) return tl::unexpected(range.error());
@@ -113,7 +123,7 @@ tl::unexpected<base::Error> not_there_yet(std::string what, std::string_view fou
                        .where = {},
                        .what = std::move(what),
                        .found = std::string(found),
-                       .remedy = "directional, point and spot lights without a size are there"});
+                       .remedy = "leave it out"});
 }
 
 const tables::LightKindRow& row_of(LightKind kind) {
@@ -156,7 +166,9 @@ base::Status set_unchecked(Light& light, std::string_view key, std::string_view 
     if (key == "azimuth" || key == "elevation") return set_angle(light, key, value);
     if (key == "inner" || key == "outer") return set_cone(light, key, value);
     if (key == "range") return set_range(light, value);
-    if (key == "radius") return not_there_yet("lights with a radius are not there yet", value);
+    if (key == "radius") return set_size(light.radius_m, key, value);
+    if (key == "width") return set_size(light.width_m, key, value);
+    if (key == "height") return set_size(light.height_m, key, value);
     return set_intensity(light, key, value);
 }
 
@@ -166,15 +178,14 @@ base::Result<LightKind> parse_kind(std::string_view name) {
         if (tables::light_kinds[i].key == name) return static_cast<LightKind>(i);
         names.emplace_back(tables::light_kinds[i].key);
     }
-    if (std::find(later_kinds.begin(), later_kinds.end(), name) != later_kinds.end())
-        return not_there_yet(fmt::format("{} lights are not there yet", name), name);
     return usage_error("unknown kind of light", name, suggestion(name, names));
 }
 
 /// Values that others are reckoned from come first, whatever their order in the text.
 std::size_t turn_of(const std::string& key) {
-    constexpr std::array<std::string_view, 8> first = {
-        "temperature", "color", "position", "azimuth", "elevation", "target", "inner", "outer"};
+    constexpr std::array<std::string_view, 11> first = {
+        "temperature", "color", "position", "azimuth", "elevation", "target",
+        "inner",       "outer", "radius",   "width",   "height"};
     return static_cast<std::size_t>(std::find(first.begin(), first.end(), key) - first.begin());
 }
 
@@ -182,7 +193,9 @@ Light initial_light(LightKind kind) {
     Light light;
     light.kind = kind;
     light.name = row_of(kind).key;
-    light.intensity = kind == LightKind::directional ? default_lux : default_candela;
+    light.intensity = kind == LightKind::directional ? default_lux
+                      : row_of(kind).area            ? default_nit
+                                                     : default_candela;
     light.direction = kind == LightKind::directional
                           ? -math::direction_from(0.0F, default_elevation_deg)
                           : Vec3(0.0F, -1.0F, 0.0F);
@@ -198,6 +211,8 @@ base::Status check_combination(const std::vector<KeyValue>& pairs) {
     if (has(pairs, "candela") && has(pairs, "lumen"))
         return usage_error("candela and lumen both set the intensity", "candela, lumen",
                            "give one of them");
+    if (has(pairs, "nit") && has(pairs, "lumen"))
+        return usage_error("nit and lumen both set the radiance", "nit, lumen", "give one of them");
     if (has(pairs, "target") && (has(pairs, "azimuth") || has(pairs, "elevation")))
         return usage_error("target and angles both set the direction", "target, azimuth, elevation",
                            "give one of them");

@@ -1,6 +1,8 @@
-// The scene's derived sizes.
+// Sizes that follow from the scene's values.
 // SPDX-License-Identifier: MIT
 #include "scene/scene.h"
+
+#include <cmath>
 
 namespace facet::scene {
 
@@ -24,6 +26,31 @@ math::Bounds Scene::bounds_m() const {
         }
     }
     return bounds;
+}
+
+LightAxes axes_of(const Light& light) {
+    const Vec3 z = light.direction;
+    const Vec3 up = std::fabs(z.y) < 0.999F ? Vec3(0.0F, 1.0F, 0.0F) : Vec3(0.0F, 0.0F, -1.0F);
+    const Vec3 x = math::normalize(math::cross(up, z));
+    return {x, math::cross(z, x), z};
+}
+
+float area_m2(const Light& light) {
+    switch (light.kind) {
+        case tables::LightKind::sphere:
+            return 4.0F * math::pi * light.radius_m * light.radius_m;
+        case tables::LightKind::rect:
+            return light.width_m * light.height_m;
+        case tables::LightKind::disk:
+            return math::pi * light.radius_m * light.radius_m;
+        case tables::LightKind::tube:
+            return 2.0F * math::pi * light.radius_m * light.width_m;
+        case tables::LightKind::directional:
+        case tables::LightKind::point:
+        case tables::LightKind::spot:
+            break;
+    }
+    return 0.0F;
 }
 
 }  // namespace facet::scene

@@ -88,13 +88,23 @@ struct Light {
     std::string name;
     tables::LightKind kind = tables::LightKind::directional;
     Vec3 color{1.0F};        ///< linear Rec.709 tint
-    float intensity = 1.0F;  ///< lux (directional) or candela (point, spot)
+    float intensity = 1.0F;  ///< lux (directional), candela (point, spot), else nit
     Vec3 position_m{0.0F};
     Vec3 direction{0.0F, 0.0F, -1.0F};  ///< unit; where the light shines to
     float range_m = 0.0F;               ///< 0: no end
     float inner_cone_rad = 0.0F;
     float outer_cone_rad = math::pi / 4.0F;
+    float radius_m = 0.1F;  ///< sphere, disk, tube
+    float width_m = 1.0F;   ///< rect and tube, along axes().x
+    float height_m = 1.0F;  ///< rect, along axes().y
 };
+/// The axes of a light with a size: x is level, z is where it shines to; orthonormal, right-handed.
+struct LightAxes {
+    Vec3 x, y, z;
+};
+[[nodiscard]] LightAxes axes_of(const Light& light);
+/// Surface that shines, in square metres; 0 for kinds without a size.
+[[nodiscard]] float area_m2(const Light& light);
 
 enum class Projection : std::uint8_t { perspective, orthographic };
 

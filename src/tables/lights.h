@@ -17,6 +17,7 @@ struct LightKindRow {
     std::string_view key;
     std::string_view unit;  ///< of Light::intensity
     std::string_view keys;
+    bool area = false;  ///< has a size
     std::string_view help;
 };
 inline constexpr auto light_kinds = std::to_array<LightKindRow>({

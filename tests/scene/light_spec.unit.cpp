@@ -113,14 +113,39 @@ TEST(LightSpec, SpotWhoseInnerAngleIsNotBelowItsOuterIsRefused) {
     refusal("spot:outer=91");
 }
 
-TEST(LightSpec, KindsAndKeysOfTheContractThatAreNotThereYetSaySo) {
-    for (const char* kind : {"rect", "disk", "sphere", "tube"})
-        EXPECT_NE(refusal(std::string(kind) + ":nit=1", ErrorCode::feature_missing).find(kind),
-                  std::string::npos);
-    refusal("point:radius=0.1", ErrorCode::feature_missing);
+TEST(LightSpec, KeysOfTheContractThatAreNotThereYetSaySo) {
     refusal("point:visible=on", ErrorCode::feature_missing);
     EXPECT_EQ(light("point:visible=off,shadow=off").kind, LightKind::point);
     refusal("point:shadow=maybe");
+}
+
+// Lambert: a flux leaves an area as radiance flux / (pi area) (Lagarde & de Rousiers 2014,
+// Section 4.4).
+TEST(LightSpec, LumenOfALightWithASizeIsSpreadOverItsArea) {
+    const double pi = 3.14159265358979323846;
+    EXPECT_NEAR(light("rect:lumen=100,width=2,height=0.5").intensity, 100.0 / pi, 1e-3);
+    EXPECT_NEAR(light("disk:lumen=100,radius=0.5").intensity, 100.0 / (pi * pi * 0.25), 1e-3);
+    EXPECT_NEAR(light("sphere:lumen=100,radius=0.5").intensity, 100.0 / (pi * pi), 1e-3);
+    EXPECT_NEAR(light("tube:lumen=100,width=2,radius=0.05").intensity, 100.0 / (pi * pi * 0.2),
+                1e-2);
+    EXPECT_NEAR(light("sphere:radius=2,nit=7").intensity, 7.0, 0.0);
+}
+
+TEST(LightSpec, SizesAreMetresAboveZeroAndOfTheKindsThatHaveThem) {
+    for (const char* spec : {"rect:width=0", "sphere:radius=-1", "disk:radius=nan",
+                             "point:radius=0.1", "sphere:width=1", "rect:nit=1,lumen=1"})
+        refusal(spec);
+}
+
+TEST(LightSpec, ARectangleIsLevelAndItsAxesAreRightHanded) {
+    for (const char* spec :
+         {"rect:position=1 2 3,target=0 0 0", "rect:elevation=90", "rect:elevation=-90"}) {
+        const Light panel = light(spec);
+        const LightAxes axes = axes_of(panel);
+        EXPECT_NEAR(axes.x.y, 0.0F, 1e-6F) << spec;
+        expect_near(math::cross(axes.x, axes.y), axes.z);
+        expect_near(axes.z, panel.direction);
+    }
 }
 
 TEST(LightSpec, SettingAnAngleKeepsTheOtherAndAnErrorChangesNothing) {

@@ -32,3 +32,11 @@ real brdf_pdf(BrdfView view, BrdfSampler s, real n_dot_l, real n_dot_h, real v_d
     real specular = slot_pdf_reflected(s.v.z, n_dot_h, v_dot_h, view.surface.alpha);
     return s.specular * specular + (real(1.0) - s.specular) * slot_pdf_diffuse(n_dot_l);
 }
+
+// Roughness 0: D V (n.l) becomes a mirror's delta, of which F and the weights of the model are left.
+// returns  [1] rgb  share of the light from reflect(-v, n) that the specular lobe sends to the viewer
+real3 brdf_mirror(BrdfView view) {
+    real3 none = real3(real(0.0));
+    if (slot_conserves()) return conserving_light(view, real(1.0), none, view.n_dot_v, real(1.0)).specular;
+    return cook_torrance_light(view, real(1.0), none, view.n_dot_v).specular;
+}

@@ -1,0 +1,65 @@
+// How one surface point scatters light: the shared BRDF text in the point's own frame.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "brdf/albedo.h"
+#include "brdf/terms.h"
+#include "math/vector.h"
+#include "trace/surface.h"
+
+namespace facet::trace {
+
+using Lobes = brdf::Terms<float>;
+
+/// The BRDF of a picture: the terms chosen, and the table that the rasteriser looks up too.
+struct Model {
+    explicit Model(const tables::BrdfChoice& choice);
+
+    /// Texel of the table at one direction, bilinear as GL filters it.
+    [[nodiscard]] Lobes::real4 albedo(float n_dot_v, float roughness) const;
+
+    Lobes lights;
+    Lobes environment;
+    brdf::AlbedoTable table;
+    bool one_masking = true;  ///< lights and environment are masked alike
+    bool needs_e_l = false;
+};
+
+/// f cos(theta) of the whole BRDF, 1/sr, for light of either kind; and the density of sample()
+/// there.
+struct Scattered {
+    math::Vec3 of_light{0.0F};
+    math::Vec3 of_environment{0.0F};
+    float pdf = 0.0F;
+};
+
+class Bsdf {
+public:
+    /// `to_eye` is unit. `model` outlives this.
+    Bsdf(const Model& model, const Surface& surface, const math::Vec3& to_eye);
+
+    /// For a unit direction to the light. Zero below the surface. A mirror's lobe is not in it.
+    [[nodiscard]] Scattered evaluate(const math::Vec3& to_light) const;
+
+    struct Sample {
+        math::Vec3 direction{0.0F};  ///< unit, to the light
+        Scattered scattered;  ///< of a mirror: the share reflected over its probability, with pdf 1
+        bool is_mirror = false;
+        bool is_valid = false;
+    };
+    [[nodiscard]] Sample sample(math::Vec2 u, float lobe) const;
+
+private:
+    [[nodiscard]] Lobes::BrdfValue values(Lobes terms, float n_dot_l, float n_dot_h,
+                                          float v_dot_h) const;
+
+    const Model* model_;
+    Lobes::BrdfView view_;
+    Lobes::BrdfSampler sampler_;
+    math::Vec3 to_eye_;
+    math::Vec3 face_normal_;
+    math::Vec3 x_, y_, n_;
+    bool is_mirror_;
+};
+
+}  // namespace facet::trace

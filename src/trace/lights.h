@@ -1,0 +1,82 @@
+// The lights of a scene as the tracer draws from them: listed ones, and meshes that emit.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "scene/scene.h"
+#include "trace/environment_light.h"
+#include "trace/geometry.h"
+#include "trace/surface.h"
+#include "trace/textures.h"
+
+#include <vector>
+
+namespace facet::trace {
+
+/// Share of a sample of density `own` where another strategy draws it with `other` (Veach 1997,
+/// Section 9.2.4: power heuristic, exponent 2). Both 1/sr.
+[[nodiscard]] inline float power_share(float own, float other) {
+    const float ratio = other / own;
+    return 1.0F / (1.0F + ratio * ratio);
+}
+
+/// One way to light a point.
+struct LightSample {
+    math::Vec3 direction{0.0F};  ///< unit, to the light
+    float distance_m = 0.0F;
+    math::Vec3 light{0.0F};  ///< lux at normal incidence of a light without a size, else nit
+    float pdf = 0.0F;        ///< 1/sr of a light with a size; 0: nothing to light with
+    bool has_size = false;
+};
+
+class Lights {
+public:
+    /// Everything outlives this.
+    Lights(const scene::Scene& scene, const Textures& textures);
+    [[nodiscard]] bool empty() const { return scene_->lights.empty() && emitters_.empty(); }
+
+    /// A light chosen by what it can do at `position_m` at most.
+    struct Choice {
+        std::size_t light = 0;  ///< of Scene::lights; their count: the meshes that emit
+        float probability = 0.0F;
+        float total_weight = 0.0F;
+    };
+    [[nodiscard]] Choice choose(const math::Vec3& position_m, float u) const;
+    [[nodiscard]] LightSample sample(const Choice& choice, const math::Vec3& position_m,
+                                     math::Vec2 u, float pick) const;
+
+    /// Radiance of the lights with a size that a ray meets before `far_m`: all of them, as none
+    /// hides another. Each is weighted against sample(), which would have drawn that direction too,
+    /// by the power heuristic; `pdf` is the ray's own density, `total_weight` that of choose() at
+    /// its origin.
+    [[nodiscard]] math::Vec3 met(const Ray& ray, float pdf, float total_weight) const;
+    /// Density with which sample() would have drawn the place of a mesh that emits, met by a ray at
+    /// `hit`.
+    [[nodiscard]] float mesh_pdf(const Hit& hit, const Ray& ray, const math::Vec3& radiance_nit,
+                                 float total_weight) const;
+
+private:
+    struct Emitter {
+        std::uint32_t instance;
+        std::uint32_t triangle;
+        float area_m2;
+    };
+    void add_emitters(const scene::Scene& scene, std::uint32_t instance);
+    [[nodiscard]] float weight(const scene::Light& light, const math::Vec3& position_m) const;
+    [[nodiscard]] float mesh_weight(const math::Vec3& position_m) const;
+    [[nodiscard]] LightSample sample_mesh(const math::Vec3& position_m, math::Vec2 u,
+                                          float pick) const;
+
+    const scene::Scene* scene_;
+    const Textures* textures_;
+    std::vector<scene::LightAxes> axes_;  ///< by light
+    bool any_with_size_ = false;
+    std::vector<Emitter> emitters_;
+    std::vector<std::size_t>
+        first_emitter_;  ///< by instance; a mesh's emitters are in the order of its triangles
+    Distribution emitter_shares_;
+    math::Vec3 emitters_center_m_{0.0F};
+    float emitters_radius2_m2_ = 0.0F;
+    float emitted_ = 0.0F;  ///< sum of nit times square metres
+};
+
+}  // namespace facet::trace

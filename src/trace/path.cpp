@@ -1,0 +1,203 @@
+// The light that arrives along one camera ray.
+// SPDX-License-Identifier: MIT
+#include "trace/path.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace facet::trace {
+namespace {
+
+using math::Vec3;
+
+/// Paths are never ended by chance before this bounce.
+constexpr std::uint32_t first_roulette = 3;
+/// Blended surfaces that one ray may pass: more than any picture shows.
+constexpr std::uint32_t most_passed = 256;
+/// Share of a lobe's width that the ray it is drawn with stands for; textures seen through it are
+/// that much coarser.
+constexpr float lobe_cone = 0.15F;
+
+/// A ray's origin beside the surface, so that rounding does not make the ray meet it again. Source:
+/// Waechter & Binder 2019, "A Fast and Robust Method for Avoiding Self-Intersection", Ray Tracing
+/// Gems, Chapter 6.
+Vec3 beside(const Vec3& position_m, const Vec3& normal) {
+    constexpr float near_origin = 1.0F / 32.0F;
+    constexpr float float_scale = 1.0F / 65536.0F;
+    constexpr float int_scale = 256.0F;
+    Vec3 out;
+    for (int i = 0; i < 3; ++i) {
+        const auto offset = static_cast<std::int32_t>(int_scale * normal[i]);
+        const auto bits = std::bit_cast<std::int32_t>(position_m[i]);
+        const float moved = std::bit_cast<float>(bits + (position_m[i] < 0.0F ? -offset : offset));
+        out[i] = std::fabs(position_m[i]) < near_origin ? position_m[i] + float_scale * normal[i]
+                                                        : moved;
+    }
+    return out;
+}
+
+class Path {
+public:
+    Path(const World& world, const Ray& ray, Cone cone, Sequence& sequence)
+        : world_(world), sequence_(sequence), ray_(ray), cone_(cone) {}
+
+    PathLight trace() {
+        while (step()) {
+        }
+        return out_;
+    }
+
+private:
+    [[nodiscard]] bool from_camera() const { return bounce_ == 0; }
+
+    /// Follows the ray to what it meets, and on. False where the path ends.
+    bool step() {
+        Hit hit;
+        ++out_.rays;
+        const bool found =
+            world_.geometry.intersect(ray_, from_camera() ? Viewer::camera : Viewer::light, hit);
+        if (!from_camera()) {
+            Ray to_hit = ray_;
+            if (found) to_hit.far_m = hit.distance_m;
+            // A mirror's density has no bound: what the light draws itself counts nothing beside
+            // it.
+            constexpr float unbounded = 1e20F;
+            out_.radiance_nit +=
+                of_light_ * world_.lights.met(to_hit, mirrored_ ? unbounded : pdf_, light_weight_);
+        }
+        if (!found) {
+            add_environment();
+            return false;
+        }
+        const float cone_m = cone_.width_m + cone_.spread * hit.distance_m;
+        const Surface surface =
+            surface_at(world_.scene, world_.frames, world_.textures, hit, ray_.direction, cone_m);
+        if (surface.opacity < 1.0F && sequence_.next() >= surface.opacity) return pass(hit);
+        if (from_camera()) out_.coverage = 1.0F;
+        add_emission(hit, surface);
+        if (surface.unlit || bounce_ >= world_.bounce_limit) return false;
+        const Bsdf bsdf(world_.model, surface, -ray_.direction);
+        const Vec3 origin = beside(surface.position_m, surface.face_normal);
+        add_sampled_environment(bsdf, origin);
+        add_sampled_light(bsdf, origin);
+        return scatter(bsdf, origin, cone_m);
+    }
+
+    /// Goes on behind a blended surface that let the ray through.
+    bool pass(const Hit& hit) {
+        if (++passed_ > most_passed) return false;
+        ray_.near_m = std::nextafter(hit.distance_m, 1e30F) * (1.0F + 1e-6F);
+        return true;
+    }
+
+    void add_environment() {
+        if (from_camera()) {
+            if (!world_.shows_environment) return;
+            out_.radiance_nit += world_.environment.radiance(ray_.direction);
+            out_.coverage = 1.0F;
+            return;
+        }
+        const Vec3 nit = world_.environment.radiance(ray_.direction);
+        const float share =
+            mirrored_ ? 1.0F : power_share(pdf_, world_.environment.pdf(ray_.direction));
+        out_.radiance_nit += throughput_ * nit * share;
+    }
+
+    void add_emission(const Hit& hit, const Surface& surface) {
+        if (surface.unlit) out_.radiance_nit += throughput_ * surface.base_color;
+        if (surface.emissive_nit == Vec3(0.0F)) return;
+        // A surface that is single-sided shines to its front alone.
+        if (!surface.front && !is_double_sided(world_.scene, surface.instance)) return;
+        float share = 1.0F;
+        if (!from_camera() && !mirrored_)
+            share = power_share(
+                pdf_, world_.lights.mesh_pdf(hit, ray_, surface.emissive_nit, light_weight_));
+        out_.radiance_nit += of_light_ * surface.emissive_nit * share;
+    }
+
+    void add_sampled_environment(const Bsdf& bsdf, const Vec3& origin) {
+        if (world_.environment.is_black()) return;
+        const EnvironmentLight::Sample sample = world_.environment.sample(sequence_.next_pair());
+        if (!(sample.pdf > 0.0F)) return;
+        const Scattered f = bsdf.evaluate(sample.direction);
+        if (f.of_environment == Vec3(0.0F)) return;
+        ++out_.rays;
+        const float through = world_.geometry.transmittance({origin, sample.direction});
+        if (through <= 0.0F) return;
+        const float share = power_share(sample.pdf, f.pdf);
+        out_.radiance_nit += throughput_ * f.of_environment *
+                             world_.environment.radiance(sample.direction) *
+                             (through * share / sample.pdf);
+    }
+
+    void add_sampled_light(const Bsdf& bsdf, const Vec3& origin) {
+        if (world_.lights.empty()) return;
+        const math::Vec2 chance = sequence_.next_pair();
+        const math::Vec2 u = sequence_.next_pair();
+        const Lights::Choice choice = world_.lights.choose(origin, chance.x);
+        light_weight_ = choice.total_weight;
+        if (!(choice.probability > 0.0F)) return;
+        const LightSample sample = world_.lights.sample(choice, origin, u, chance.y);
+        if (sample.light == Vec3(0.0F) || (sample.has_size && !(sample.pdf > 0.0F))) return;
+        const Scattered f = bsdf.evaluate(sample.direction);
+        if (f.of_light == Vec3(0.0F)) return;
+        ++out_.rays;
+        constexpr float almost = 1.0F - 1e-4F;  // the light's own mesh is no shadow
+        const float through = world_.geometry.transmittance(
+            {origin, sample.direction, 0.0F, sample.distance_m * almost});
+        if (through <= 0.0F) return;
+        float factor = through / choice.probability;
+        if (sample.has_size) {
+            const float own = sample.pdf * choice.probability;
+            factor = through * power_share(own, f.pdf) / own;
+        }
+        out_.radiance_nit += throughput_ * f.of_light * sample.light * factor;
+    }
+
+    /// Draws where the light may come from, and turns the ray there. False where the path ends.
+    bool scatter(const Bsdf& bsdf, const Vec3& origin, float cone_m) {
+        const math::Vec2 u = sequence_.next_pair();
+        const math::Vec2 chance = sequence_.next_pair();
+        const Bsdf::Sample sample = bsdf.sample(u, chance.x);
+        if (!sample.is_valid) return false;
+        pdf_ = sample.scattered.pdf;
+        mirrored_ = sample.is_mirror;
+        of_light_ = throughput_ * sample.scattered.of_light / pdf_;
+        throughput_ *= sample.scattered.of_environment / pdf_;
+        ++bounce_;
+        if (bounce_ >= first_roulette) {
+            const float survival =
+                std::min(1.0F, std::max({throughput_.x, throughput_.y, throughput_.z}));
+            if (!(chance.y < survival)) return false;
+            throughput_ /= survival;
+            of_light_ /= survival;
+        }
+        ray_ = {origin, sample.direction};
+        cone_.width_m = cone_m;
+        if (!mirrored_) cone_.spread = std::max(cone_.spread, lobe_cone / std::sqrt(pdf_));
+        return true;
+    }
+
+    const World& world_;
+    Sequence& sequence_;
+    Ray ray_;
+    Cone cone_;
+    Vec3 throughput_{
+        1.0F};  ///< for what counts as environment: the sky, and light from other surfaces
+    Vec3 of_light_{1.0F};  ///< for lights, which the lecture masks otherwise
+    float pdf_ = 0.0F;     ///< of the ray's direction, 1/sr
+    float light_weight_ = 0.0F;
+    bool mirrored_ = false;
+    std::uint32_t bounce_ = 0;
+    std::uint32_t passed_ = 0;
+    PathLight out_;
+};
+
+}  // namespace
+
+PathLight trace_path(const World& world, const Ray& camera_ray, Cone cone, Sequence& sequence) {
+    return Path(world, camera_ray, cone, sequence).trace();
+}
+
+}  // namespace facet::trace

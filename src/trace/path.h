@@ -1,0 +1,44 @@
+// The light that arrives along one camera ray: path tracing (Kajiya 1986) with next-event
+// estimation and multiple importance sampling (Veach 1997). SPDX-License-Identifier: MIT
+#pragma once
+
+#include "trace/bsdf.h"
+#include "trace/environment_light.h"
+#include "trace/geometry.h"
+#include "trace/lights.h"
+#include "trace/sequence.h"
+#include "trace/surface.h"
+#include "trace/textures.h"
+
+namespace facet::trace {
+
+/// Everything a path meets; references outlive the call.
+struct World {
+    const scene::Scene& scene;
+    const std::vector<InstanceFrame>& frames;
+    const Textures& textures;
+    const Geometry& geometry;
+    const Lights& lights;
+    const EnvironmentLight& environment;
+    const Model& model;
+    bool shows_environment = false;  ///< where the camera sees no surface
+    std::uint32_t bounce_limit = 64;
+};
+
+/// What one ray stands for: its width at its origin in metres, and how much wider it gets per
+/// metre.
+struct Cone {
+    float width_m = 0.0F;
+    float spread = 0.0F;
+};
+
+struct PathLight {
+    math::Vec3 radiance_nit{0.0F};
+    float coverage = 0.0F;  ///< 1 where the ray met a surface, or an environment that is shown
+    std::uint32_t rays = 0;
+};
+
+[[nodiscard]] PathLight trace_path(const World& world, const Ray& camera_ray, Cone cone,
+                                   Sequence& sequence);
+
+}  // namespace facet::trace

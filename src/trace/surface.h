@@ -1,0 +1,53 @@
+// What a ray finds where it meets a triangle: place, normals, and the material's numbers there.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "scene/scene.h"
+#include "trace/geometry.h"
+#include "trace/textures.h"
+
+#include <vector>
+
+namespace facet::trace {
+
+/// The numbers that the G-buffer holds, at one point. World space.
+struct Surface {
+    math::Vec3 position_m{0.0F};
+    math::Vec3 face_normal{0.0F};  ///< unit, of the triangle, on the side of the viewer
+    math::Vec3 normal{0.0F};       ///< unit, shading, turned with the face
+    math::Vec3 base_color{1.0F};
+    float opacity = 1.0F;
+    float metallic = 0.0F;
+    float roughness = 1.0F;  ///< perceptual
+    float ao = 1.0F;         ///< of the occlusion map; for AOVs, as rays find what is occluded
+    math::Vec3 emissive_nit{0.0F};
+    bool front = true;
+    bool unlit = false;
+    std::uint32_t instance = 0;
+    std::uint32_t material = 0;
+};
+
+/// What of an instance does not change from hit to hit.
+struct InstanceFrame {
+    math::Mat3 normal_from_object{1.0F};  ///< cofactors: right for any scale
+};
+[[nodiscard]] std::vector<InstanceFrame> instance_frames(const scene::Scene& scene);
+
+/// `cone_m`: width of what the ray stands for where it hits; chooses the mip level (Akenine-Moller
+/// et al. 2019, "Texture Level of Detail Strategies for Real-Time Ray Tracing", Eq. 30).
+[[nodiscard]] Surface surface_at(const scene::Scene& scene,
+                                 const std::vector<InstanceFrame>& frames, const Textures& textures,
+                                 const Hit& hit, const math::Vec3& direction, float cone_m);
+
+/// Coverage alone, from the finest level, for alpha tests.
+[[nodiscard]] float opacity_at(const scene::Scene& scene, const Textures& textures, const Hit& hit);
+
+/// Radiance emitted there, from the finest level, nit.
+[[nodiscard]] math::Vec3 emission_at(const scene::Scene& scene, const Textures& textures,
+                                     const Hit& hit);
+/// The same without its texture.
+[[nodiscard]] math::Vec3 emission_factor(const scene::Scene& scene, const Hit& hit);
+[[nodiscard]] math::Vec3 position_at(const scene::Scene& scene, const Hit& hit);
+[[nodiscard]] bool is_double_sided(const scene::Scene& scene, std::uint32_t instance);
+
+}  // namespace facet::trace

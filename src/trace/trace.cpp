@@ -1,0 +1,168 @@
+// The reference: a picture by path tracing.
+// SPDX-License-Identifier: MIT
+#include "trace/trace.h"
+
+#include "trace/camera.h"
+#include "trace/film.h"
+#include "trace/path.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numeric>
+
+namespace facet::trace {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// Samples that a pass adds to each of its pixels: few at first, so that something is there early
+/// and a time limit is kept, then more, so that a pass is long beside its overhead.
+constexpr std::uint32_t largest_pass = 16;
+/// Before this many samples a pixel's variance says little (its standard error is a quarter of it).
+constexpr std::uint32_t trusted_samples = 32;
+/// A ray stands for no less than this share of a pixel: finer would see texels that a picture
+/// cannot show (Pharr, Jakob & Humphreys 2023, Section 10.1.3).
+constexpr float cone_share_min = 0.125F;
+
+struct TileCounts {
+    std::uint64_t paths = 0;
+    std::uint64_t rays = 0;
+    std::uint64_t not_finite = 0;
+};
+
+/// What the rays of a pass need, the same for every tile.
+struct Pass {
+    const World& world;
+    const CameraRays& camera;
+    const TraceSettings& settings;
+};
+
+/// Traces samples [first, first + count) of one tile's pixels.
+TileCounts trace_tile(const Pass& pass, Film& film, std::size_t tile, std::uint32_t first,
+                      std::uint32_t count) {
+    const TraceSettings& settings = pass.settings;
+    TileCounts counts;
+    const float share =
+        std::max(cone_share_min, 1.0F / std::sqrt(static_cast<float>(settings.samples)));
+    const Cone cone{pass.camera.cone_at_eye_m() * share, pass.camera.cone_spread() * share};
+    const Film::TileBox box = film.tile_box(tile);
+    for (std::uint32_t y = box.y0; y < box.y1; ++y)
+        for (std::uint32_t x = box.x0; x < box.x1; ++x) {
+            // By its place in the whole picture: a region is the same as that part of the picture.
+            const std::uint32_t pixel = (settings.y + y) * settings.picture.width + settings.x + x;
+            for (std::uint32_t i = first; i < first + count; ++i) {
+                Sequence sequence(pixel, i, settings.seed);
+                const math::Vec2 at =
+                    sequence.next_pair() + math::Vec2(settings.x + x, settings.y + y);
+                const PathLight light = trace_path(pass.world, pass.camera.ray(at), cone, sequence);
+                counts.rays += light.rays;
+                ++counts.paths;
+                if (!film.add(std::size_t{y} * settings.size.width + x, light)) ++counts.not_finite;
+            }
+        }
+    return counts;
+}
+
+void report(const TraceSettings& settings, std::uint32_t done, std::size_t tiles_left,
+            std::size_t tile_count, const base::Progress& progress) {
+    const double by_samples = static_cast<double>(done) / settings.samples;
+    const double by_tiles = 1.0 - static_cast<double>(tiles_left) / static_cast<double>(tile_count);
+    progress(std::max(by_samples, by_tiles),
+             settings.noise
+                 ? fmt::format("{} samples, {:.0f} % of the picture done", done, 100.0 * by_tiles)
+                 : fmt::format("{} of {} samples", done, settings.samples));
+}
+
+}  // namespace
+
+struct Tracer::Impl {
+    Impl(const TraceInputs& inputs_, base::ThreadPool& pool)
+        : inputs(inputs_),
+          textures(Textures::build(inputs.scene, pool)),
+          frames(instance_frames(inputs.scene)),
+          lights(inputs.scene, textures),
+          environment(*inputs.environment.latlong, inputs.env_rotation_deg, inputs.env_intensity,
+                      pool),
+          model(inputs.brdf) {}
+
+    TraceInputs inputs;
+    Textures textures;
+    std::vector<InstanceFrame> frames;
+    Lights lights;
+    EnvironmentLight environment;
+    Model model;
+    std::optional<Geometry> geometry;
+    double build_s = 0.0;
+
+    [[nodiscard]] World world() const {
+        return {inputs.scene, frames,      textures, *geometry,
+                lights,       environment, model,    inputs.shows_environment};
+    }
+};
+
+Tracer::Tracer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+Tracer::Tracer(Tracer&&) noexcept = default;
+Tracer& Tracer::operator=(Tracer&&) noexcept = default;
+Tracer::~Tracer() = default;
+
+base::Result<Tracer> Tracer::create(const TraceInputs& inputs, const base::Limits& limits,
+                                    base::ThreadPool& pool) {
+    const auto start = Clock::now();
+    auto impl = std::make_unique<Impl>(inputs, pool);
+    auto geometry = Geometry::build(inputs.scene, impl->textures, limits);
+    if (!geometry) return tl::unexpected(geometry.error());
+    impl->geometry = std::move(*geometry);
+    impl->build_s = seconds_since(start);
+    return Tracer(std::move(impl));
+}
+
+Traced Tracer::trace(const TraceSettings& settings, base::ThreadPool& pool,
+                     const base::Progress& progress) const {
+    const auto start = Clock::now();
+    const World world = impl_->world();
+    const CameraRays camera(impl_->inputs.camera, settings.picture);
+    Film film(settings.size);
+    Traced out;
+    std::vector<std::size_t> tiles(film.tile_count());
+    std::iota(tiles.begin(), tiles.end(), std::size_t{0});
+    std::uint32_t first = 0;
+    while (first < settings.samples && !tiles.empty()) {
+        const std::uint32_t count =
+            std::min({std::max(1U, first), largest_pass, settings.samples - first});
+        std::vector<TileCounts> counts(tiles.size());
+        pool.parallel_for(tiles.size(), [&](std::size_t i) {
+            counts[i] = trace_tile({world, camera, settings}, film, tiles[i], first, count);
+        });
+        for (const TileCounts& tile : counts) {
+            out.paths += tile.paths;
+            out.rays += tile.rays;
+            out.not_finite += tile.not_finite;
+        }
+        first += count;
+        if (settings.noise && first >= trusted_samples) {
+            std::erase_if(tiles, [&](std::size_t tile) {
+                return film.tile_error(tile, settings.exposure) <= *settings.noise;
+            });
+        }
+        if (progress) report(settings, first, tiles.size(), film.tile_count(), progress);
+        if (settings.time_s && seconds_since(start) >= *settings.time_s) {
+            out.stopped_by_time = first < settings.samples && !tiles.empty();
+            break;
+        }
+    }
+    out.radiance = film.mean();
+    out.noise = film.error(settings.exposure);
+    out.samples = static_cast<double>(out.paths) / static_cast<double>(settings.size.pixels());
+    out.build_s = impl_->build_s;
+    out.trace_s = seconds_since(start);
+    return out;
+}
+
+}  // namespace facet::trace

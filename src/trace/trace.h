@@ -1,0 +1,75 @@
+// The reference: a picture by path tracing, of the same scene, camera, lights and BRDF as the
+// rasteriser's. SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/limits.h"
+#include "base/progress.h"
+#include "base/result.h"
+#include "base/thread_pool.h"
+#include "image/image.h"
+#include "scene/environment.h"
+#include "scene/scene.h"
+#include "tables/brdf_terms.h"
+
+#include <memory>
+#include <optional>
+
+namespace facet::trace {
+
+/// What is traced. Everything outlives the Tracer.
+struct TraceInputs {
+    const scene::Scene& scene;
+    const scene::Environment& environment;
+    const scene::Camera& camera;
+    float env_rotation_deg = 0.0F;
+    float env_intensity = 1.0F;
+    bool shows_environment = true;  ///< where no surface is; else nothing, of coverage 0
+    tables::BrdfChoice brdf;
+};
+
+struct TraceSettings {
+    math::Extent picture;  ///< of which the part at x, y of `size` is traced
+    std::uint32_t x = 0;
+    std::uint32_t y = 0;
+    math::Extent size;
+    std::uint32_t samples = 64;  ///< per pixel at most
+    std::optional<double>
+        noise;              ///< stop where the picture's error in display values is below this
+    double exposure = 1.0;  ///< for `noise`: what display values are
+    std::optional<double> time_s;  ///< stop after this long; what is there is the picture
+    std::uint32_t seed = 0;
+};
+
+struct Traced {
+    image::Image radiance;  ///< f32 [height, width, 4] in nit, coverage associated
+    double samples = 0.0;   ///< per pixel, on average
+    double noise = 0.0;     ///< estimated root mean square error in display values
+    std::uint64_t paths = 0;
+    std::uint64_t rays = 0;
+    std::uint64_t not_finite = 0;  ///< samples left out
+    bool stopped_by_time = false;
+    double build_s = 0.0;
+    double trace_s = 0.0;
+};
+
+class Tracer {
+public:
+    /// Sorts the triangles and prepares lights and textures. Errors: limit_reached (memory).
+    [[nodiscard]] static base::Result<Tracer> create(const TraceInputs& inputs,
+                                                     const base::Limits& limits,
+                                                     base::ThreadPool& pool);
+    Tracer(Tracer&&) noexcept;
+    Tracer& operator=(Tracer&&) noexcept;
+    ~Tracer();
+
+    /// The same bytes for any number of threads (but for time_s).
+    [[nodiscard]] Traced trace(const TraceSettings& settings, base::ThreadPool& pool,
+                               const base::Progress& progress = {}) const;
+
+private:
+    struct Impl;
+    explicit Tracer(std::unique_ptr<Impl> impl);
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace facet::trace
