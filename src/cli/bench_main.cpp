@@ -32,6 +32,8 @@ struct Options {
     std::string env = "studio";
     std::string quality = "standard";
     std::string backend = "auto";
+    std::string camera = "auto";
+    std::string reference;
     std::uint32_t frames = 30;
     std::uint32_t threads = 0;
     bool passes = false;
@@ -72,13 +74,37 @@ Result<BenchRequest> request_of(const Options& options) {
     request.settings.env = options.env;
     request.settings.quality = options.quality;
     request.settings.backend = options.backend;
+    request.settings.camera = options.camera;
+    request.settings.reference = options.reference;
     request.settings.threads = options.threads;
     return request;
+}
+
+Status measure_reference(const Options& options, const BenchRequest& request) {
+    const auto r = facet::render::bench_reference(request);
+    if (!r) return tl::unexpected(r.error());
+    const nlohmann::ordered_json line = {{"facet", 1},
+                                         {"scene", options.scene},
+                                         {"width", r->size.width},
+                                         {"height", r->size.height},
+                                         {"lights", options.lights},
+                                         {"reference", r->samples},
+                                         {"threads", r->threads},
+                                         {"frames", options.frames},
+                                         {"s", r->median_s},
+                                         {"build_s", r->build_s},
+                                         {"paths_per_s", r->paths_per_s},
+                                         {"rays_per_path", r->rays_per_path},
+                                         {"covered", r->covered},
+                                         {"peak_rss_mb", r->peak_rss_mb}};
+    std::puts(line.dump().c_str());
+    return {};
 }
 
 Status measure(const Options& options, facet::base::Log& log) {
     const auto request = request_of(options);
     if (!request) return tl::unexpected(request.error());
+    if (!options.reference.empty()) return measure_reference(options, *request);
     const auto r = facet::render::bench(*request, log);
     if (!r) return tl::unexpected(r.error());
     nlohmann::ordered_json line = {
@@ -117,6 +143,8 @@ Status measure_suite(Options options, facet::base::Log& log) {
         options.scene = entry.value("scene", "builtin:showcase");
         options.size = entry.value("size", "1280x720");
         options.lights = entry.value("lights", 0U);
+        options.camera = entry.value("camera", "auto");
+        options.reference = entry.value("reference", "");
         if (auto measured = measure(options, log); !measured) return measured;
     }
     return {};
@@ -132,6 +160,9 @@ int main(int argc, char** argv) {
     app.add_option("--size", options.size, "WxH")->capture_default_str();
     app.add_option("--lights", options.lights, "local lights")->check(CLI::Range(0, 1000));
     app.add_option("--light-kinds", options.kinds, "comma list: point,spot")->capture_default_str();
+    app.add_option("--camera", options.camera, "as facet render's")->capture_default_str();
+    app.add_option("--reference", options.reference,
+                   "samples per pixel of the path tracer: paths a second");
     app.add_option("--env", options.env, "environment")->capture_default_str();
     app.add_option("--quality", options.quality, "draft, standard or final")->capture_default_str();
     app.add_option("--frames", options.frames, "frames measured")->check(CLI::Range(1, 100000));

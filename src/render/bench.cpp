@@ -3,8 +3,10 @@
 #include "render/bench.h"
 
 #include "base/thread_pool.h"
+#include "render/job.h"
 #include "render/session.h"
 #include "render/stopwatch.h"
+#include "trace/trace.h"
 
 #include <sys/resource.h>
 
@@ -82,6 +84,12 @@ double percentile(std::vector<double> values, double share) {
     return values[static_cast<std::size_t>(at + 0.5)];
 }
 
+double peak_rss_mb() {
+    struct rusage usage {};
+    ::getrusage(RUSAGE_SELF, &usage);
+    return static_cast<double>(usage.ru_maxrss) / 1024.0;
+}
+
 struct Samples {
     std::vector<double> frame, gbuffer, lighting, post;
 };
@@ -134,9 +142,42 @@ base::Result<BenchResult> bench(const BenchRequest& request, base::Log& log) {
     result.gbuffer_ms = percentile(samples.gbuffer, 0.5);
     result.lighting_ms = percentile(samples.lighting, 0.5);
     result.post_ms = percentile(samples.post, 0.5);
-    struct rusage usage {};
-    ::getrusage(RUSAGE_SELF, &usage);
-    result.peak_rss_mb = static_cast<double>(usage.ru_maxrss) / 1024.0;
+    result.peak_rss_mb = peak_rss_mb();
+    return result;
+}
+
+base::Result<ReferenceBenchResult> bench_reference(const BenchRequest& request) {
+    const auto plan = make_plan(request.settings);
+    if (!plan) return tl::unexpected(plan.error());
+    base::ThreadPool pool(request.settings.threads);
+    auto job = load_job({request.scene, request.settings}, *plan, pool);
+    if (!job) return tl::unexpected(job.error());
+    double reached = 0.0;
+    for (scene::Light& light : local_lights(job->scene, request, reached))
+        job->scene.lights.push_back(std::move(light));
+    const auto tracer = trace::Tracer::create(
+        {job->scene, job->environment, job->camera, 0.0F, 1.0F, false, plan->brdf}, plan->limits,
+        pool);
+    if (!tracer) return tl::unexpected(tracer.error());
+    ReferenceBenchResult result{
+        .size = plan->picture, .threads = pool.thread_count(), .samples = plan->reference->samples};
+    std::vector<double> seconds;
+    trace::Traced traced;
+    for (std::uint32_t i = 0; i < std::max(1U, request.frames); ++i) {
+        traced = tracer->trace(
+            {.picture = plan->picture, .size = plan->picture, .samples = plan->reference->samples},
+            pool);
+        seconds.push_back(traced.trace_s);
+    }
+    result.median_s = percentile(seconds, 0.5);
+    result.build_s = traced.build_s;
+    result.paths_per_s = static_cast<double>(traced.paths) / result.median_s;
+    result.rays_per_path = static_cast<double>(traced.rays) / static_cast<double>(traced.paths);
+    const auto values = traced.radiance.as<float>();
+    for (std::size_t i = 3; i < values.size(); i += 4)
+        result.covered += static_cast<double>(values[i]);
+    result.covered /= static_cast<double>(plan->picture.pixels());
+    result.peak_rss_mb = peak_rss_mb();
     return result;
 }
 

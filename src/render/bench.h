@@ -36,6 +36,21 @@ struct BenchResult {
     double reach = 0.0;  ///< local lights that reach a surface point, on average
 };
 
+/// The reference's speed: medians over `request.frames` runs of the same picture.
+struct ReferenceBenchResult {
+    math::Extent size;
+    unsigned threads = 0;
+    std::uint32_t samples = 0;
+    double median_s = 0.0;
+    double build_s = 0.0;
+    double paths_per_s = 0.0;
+    double rays_per_path = 0.0;
+    double covered = 0.0;  ///< share of the picture that the scene covers: the rest are short paths
+    double peak_rss_mb = 0.0;
+};
+/// Traces with the request's `settings.reference` samples; `lights` as bench(). No GL.
+[[nodiscard]] base::Result<ReferenceBenchResult> bench_reference(const BenchRequest& request);
+
 /// A frame is G-buffer, lighting, background, blended surfaces and display encoding of one sample a
 /// pixel; reading back and writing files are not in it. Errors: as render().
 [[nodiscard]] base::Result<BenchResult> bench(const BenchRequest& request, base::Log& log);

@@ -12,54 +12,70 @@ namespace {
 
 using math::Vec2;
 using math::Vec3;
+using math::Vec4;
 
 /// Above every light there is; keeps products with it finite in float.
 constexpr float radiance_max_nit = 1e30F;
 
 }  // namespace
 
-Distribution::Distribution(std::vector<float> weights) {
-    const std::size_t count = weights.size();
-    for (const float weight : weights) total_ += static_cast<double>(weight);
-    cumulative_.resize(count + 1);
+Distribution::Distribution(std::size_t width, std::size_t rows)
+    : width_(width), cumulative_((width + 1) * rows), guide_(width * rows) {}
+
+double Distribution::set_row(std::size_t row, std::span<const float> weights) {
+    float* cumulative = cumulative_.data() + row * (width_ + 1);
+    double total = 0.0;
+    for (const float weight : weights) total += static_cast<double>(weight);
     double sum = 0.0;
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < width_; ++i) {
         sum += static_cast<double>(weights[i]);
-        cumulative_[i + 1] = total_ > 0.0 ? static_cast<float>(std::min(1.0, sum / total_))
-                                          : static_cast<float>(i + 1) / static_cast<float>(count);
+        const double share =
+            total > 0.0 ? sum / total : static_cast<double>(i + 1) / static_cast<double>(width_);
+        cumulative[i + 1] = static_cast<float>(std::min(1.0, share));
     }
-    cumulative_[count] = 1.0F;
-    guide_.resize(count);
+    cumulative[width_] = 1.0F;
+    std::uint32_t* guide = guide_.data() + row * width_;
     std::uint32_t cell = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-        const float u = static_cast<float>(i) / static_cast<float>(count);
-        while (cell + 1 < count && cumulative_[cell + 1] <= u) ++cell;
-        guide_[i] = cell;
+    for (std::size_t i = 0; i < width_; ++i) {
+        const float u = static_cast<float>(i) / static_cast<float>(width_);
+        while (cell + 1 < width_ && cumulative[cell + 1] <= u) ++cell;
+        guide[i] = cell;
     }
+    return total;
 }
 
-Distribution::Draw Distribution::draw(float u) const {
-    const auto count = static_cast<std::uint32_t>(guide_.size());
+Distribution::Draw Distribution::draw(float u, std::size_t row) const {
+    const float* cumulative = cumulative_.data() + row * (width_ + 1);
     const auto first =
-        std::min(static_cast<std::uint32_t>(u * static_cast<float>(count)), count - 1);
-    std::uint32_t cell = guide_[first];
-    while (cell + 1 < count && cumulative_[cell + 1] <= u) ++cell;
-    const float share = cumulative_[cell + 1] - cumulative_[cell];
-    const float within = share > 0.0F ? (u - cumulative_[cell]) / share : 0.5F;
+        std::min(static_cast<std::size_t>(u * static_cast<float>(width_)), width_ - 1);
+    std::uint32_t cell = guide_[row * width_ + first];
+    while (cell + 1 < width_ && cumulative[cell + 1] <= u) ++cell;
+    const float share = cumulative[cell + 1] - cumulative[cell];
+    const float within = share > 0.0F ? (u - cumulative[cell]) / share : 0.5F;
     return {cell, share, std::clamp(within, 0.0F, 0.99999994F)};
 }
 
 EnvironmentLight::EnvironmentLight(const image::Image& latlong, float rotation_deg, float intensity,
                                    base::ThreadPool& pool)
-    : latlong_(&latlong), intensity_(intensity), rotation_rad_(glm::radians(rotation_deg)) {
+    : width_(static_cast<int>(latlong.size.width)),
+      height_(static_cast<int>(latlong.size.height)),
+      rotation_rad_(glm::radians(rotation_deg)),
+      cell_sr_(2.0F * math::pi / static_cast<float>(width_) * math::pi /
+               static_cast<float>(height_)),
+      texels_(static_cast<std::size_t>(latlong.size.pixels())),
+      columns_(latlong.size.width, latlong.size.height) {
     const std::size_t width = latlong.size.width;
     const std::size_t height = latlong.size.height;
     const auto pixels = latlong.as<float>();
+    pool.parallel_for(height, [&](std::size_t y) {
+        for (std::size_t i = y * width; i < (y + 1) * width; ++i)
+            for (int c = 0; c < 3; ++c)
+                texels_[i][c] = std::min(pixels[i * 3 + static_cast<std::size_t>(c)] * intensity,
+                                         radiance_max_nit);
+    });
     const auto luminance = [&](std::size_t x, std::size_t y) {
-        const float* p = pixels.data() + (y * width + x) * 3;
-        return std::min(math::luminance({p[0], p[1], p[2]}), radiance_max_nit);
+        return math::luminance(Vec3(texels_[y * width + x]));
     };
-    columns_.resize(height);
     std::vector<float> sums(height);
     pool.parallel_for(height, [&](std::size_t y) {
         // What is seen of a pixel's cell is bilinear: its mean takes an eighth of each neighbour.
@@ -73,78 +89,61 @@ EnvironmentLight::EnvironmentLight(const image::Image& latlong, float rotation_d
         for (std::size_t x = 0; x < width; ++x)
             weights[x] = 0.75F * column[x] +
                          0.125F * (column[(x + width - 1) % width] + column[(x + 1) % width]);
-        columns_[y] = Distribution(std::move(weights));
-        const auto at = static_cast<double>(y);
-        const double solid_angle =
-            std::cos(at / static_cast<double>(height) * 3.14159265358979323846) -
-            std::cos((at + 1.0) / static_cast<double>(height) * 3.14159265358979323846);
-        sums[y] =
-            static_cast<float>(columns_[y].total() * solid_angle * static_cast<double>(intensity));
+        const double step = 3.14159265358979323846 / static_cast<double>(height);
+        const double share =
+            std::cos(static_cast<double>(y) * step) - std::cos(static_cast<double>(y + 1) * step);
+        sums[y] = static_cast<float>(columns_.set_row(y, weights) * share);
     });
-    rows_ = Distribution(std::move(sums));
+    rows_ = Distribution(std::span<const float>(sums));
+    is_black_ = std::all_of(sums.begin(), sums.end(), [](float sum) { return sum <= 0.0F; });
+    for (std::size_t y = 0; y < height; ++y)
+        for (std::size_t x = 0; x < width; ++x)
+            texels_[y * width + x].w = rows_.share(y) * columns_.share(x, y);
 }
 
-Vec2 EnvironmentLight::pixel_of(const Vec3& d) const {
-    const float width = static_cast<float>(latlong_->size.width);
-    const float height = static_cast<float>(latlong_->size.height);
+Vec3 EnvironmentLight::radiance(Vec2 at_px) const {
+    const float left = std::floor(at_px.x - 0.5F);
+    const float top = std::floor(at_px.y - 0.5F);
+    const float across = at_px.x - 0.5F - left;
+    const float down = at_px.y - 0.5F - top;
+    const auto column = [&](int x) { return x < 0 ? x + width_ : x >= width_ ? x - width_ : x; };
+    const int x0 = column(static_cast<int>(left));
+    const int x1 = column(static_cast<int>(left) + 1);
+    const Vec4* upper = texels_.data() + std::clamp(static_cast<int>(top), 0, height_ - 1) * width_;
+    const Vec4* lower =
+        texels_.data() + std::clamp(static_cast<int>(top) + 1, 0, height_ - 1) * width_;
+    return Vec3((upper[x0] * (1.0F - across) + upper[x1] * across) * (1.0F - down) +
+                (lower[x0] * (1.0F - across) + lower[x1] * across) * down);
+}
+
+EnvironmentLight::Light EnvironmentLight::at(const Vec3& d) const {
     // The middle column is -z and columns to its right turn towards +x; the environment turns
     // counter-clockwise seen from above (contract, "Conventions").
     const float turn = (std::atan2(d.x, -d.z) + rotation_rad_) / (2.0F * math::pi) + 0.5F;
     const float polar = std::acos(std::clamp(d.y, -1.0F, 1.0F)) / math::pi;
-    return {(turn - std::floor(turn)) * width, polar * height};
-}
-
-Vec3 EnvironmentLight::radiance(const Vec3& direction) const {
-    const auto width = static_cast<int>(latlong_->size.width);
-    const auto height = static_cast<int>(latlong_->size.height);
-    const Vec2 at = pixel_of(direction) - 0.5F;
-    const float left = std::floor(at.x);
-    const float top = std::floor(at.y);
-    const float across = at.x - left;
-    const float down = at.y - top;
-    const auto column = [&](int x) { return x < 0 ? x + width : x >= width ? x - width : x; };
-    const int x0 = column(static_cast<int>(left));
-    const int x1 = column(static_cast<int>(left) + 1);
-    const int y0 = std::clamp(static_cast<int>(top), 0, height - 1);
-    const int y1 = std::clamp(static_cast<int>(top) + 1, 0, height - 1);
-    const float* pixels = latlong_->as<float>().data();
-    const auto nit = [&](int x, int y) {
-        const float* p = pixels + (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-                                   static_cast<std::size_t>(x)) *
-                                      3;
-        return Vec3(p[0], p[1], p[2]);
-    };
-    const Vec3 upper = nit(x0, y0) * (1.0F - across) + nit(x1, y0) * across;
-    const Vec3 lower = nit(x0, y1) * (1.0F - across) + nit(x1, y1) * across;
-    return glm::min((upper * (1.0F - down) + lower * down) * intensity_, Vec3(radiance_max_nit));
+    const Vec2 at_px((turn - std::floor(turn)) * static_cast<float>(width_),
+                     polar * static_cast<float>(height_));
+    const int x = std::clamp(static_cast<int>(at_px.x), 0, width_ - 1);
+    const int y = std::clamp(static_cast<int>(at_px.y), 0, height_ - 1);
+    const float sine = std::sqrt(std::max(1.0F - d.y * d.y, 1e-12F));
+    return {radiance(at_px),
+            texels_[static_cast<std::size_t>(y * width_ + x)].w / (cell_sr_ * sine)};
 }
 
 EnvironmentLight::Sample EnvironmentLight::sample(Vec2 u) const {
     const auto row = rows_.draw(u.y);
-    const auto column = columns_[row.cell].draw(u.x);
-    const auto width = static_cast<float>(latlong_->size.width);
-    const auto height = static_cast<float>(latlong_->size.height);
-    const float polar = (static_cast<float>(row.cell) + row.within) / height * math::pi;
+    const auto column = columns_.draw(u.x, row.cell);
+    const Vec2 at_px(static_cast<float>(column.cell) + column.within,
+                     static_cast<float>(row.cell) + row.within);
+    const float polar = at_px.y / static_cast<float>(height_) * math::pi;
     const float azimuth =
-        ((static_cast<float>(column.cell) + column.within) / width - 0.5F) * 2.0F * math::pi -
-        rotation_rad_;
+        (at_px.x / static_cast<float>(width_) - 0.5F) * 2.0F * math::pi - rotation_rad_;
     const float sine = std::sin(polar);
-    const float solid_angle = 2.0F * math::pi / width * math::pi / height * sine;
-    if (solid_angle <= 0.0F) return {};
-    return {{sine * std::sin(azimuth), std::cos(polar), -sine * std::cos(azimuth)},
-            row.share * column.share / solid_angle};
-}
-
-float EnvironmentLight::pdf(const Vec3& direction) const {
-    const Vec2 at = pixel_of(direction);
-    const std::uint32_t width = latlong_->size.width;
-    const std::uint32_t height = latlong_->size.height;
-    const std::uint32_t x = std::min(static_cast<std::uint32_t>(at.x), width - 1);
-    const std::uint32_t y = std::min(static_cast<std::uint32_t>(at.y), height - 1);
-    const float sine = std::sqrt(std::max(1.0F - direction.y * direction.y, 0.0F));
-    const float solid_angle =
-        2.0F * math::pi / static_cast<float>(width) * math::pi / static_cast<float>(height) * sine;
-    return solid_angle > 0.0F ? rows_.share(y) * columns_[y].share(x) / solid_angle : 0.0F;
+    Sample out;
+    if (sine <= 0.0F) return out;
+    out.direction = {sine * std::sin(azimuth), std::cos(polar), -sine * std::cos(azimuth)};
+    out.light = {radiance(at_px), row.share * column.share / (cell_sr_ * sine)};
+    return out;
 }
 
 }  // namespace facet::trace

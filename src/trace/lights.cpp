@@ -180,7 +180,7 @@ Lights::Lights(const scene::Scene& scene, const Textures& textures)
         bounds.add(position_at(scene, middle));
     }
     if (emitters_.empty()) return;
-    emitter_shares_ = Distribution(std::move(weights));
+    emitter_shares_ = Distribution(std::span<const float>(weights));
     emitters_center_m_ = bounds.center();
     emitters_radius2_m2_ = 0.25F * bounds.diagonal() * bounds.diagonal();
 }
@@ -215,9 +215,8 @@ float Lights::mesh_weight(const Vec3& position_m) const {
 
 Lights::Choice Lights::choose(const Vec3& position_m, float u) const {
     Choice out;
-    const std::size_t count = scene_->lights.size() + (emitters_.empty() ? 0 : 1);
     float chosen_weight = 0.0F;
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < count(); ++i) {
         const float w = i < scene_->lights.size() ? weight(scene_->lights[i], position_m)
                                                   : mesh_weight(position_m);
         if (!(w > 0.0F)) continue;
@@ -281,7 +280,7 @@ Vec3 Lights::met(const Ray& ray, float pdf, float total_weight) const {
         const float distance =
             hit_shape(light, axes_[i], light.position_m - ray.origin, ray.direction, own);
         if (distance <= 0.0F || distance > ray.far_m) continue;
-        const float chosen = total_weight > 0.0F ? weight(light, ray.origin) / total_weight : 0.0F;
+        const float chosen = chance(weight(light, ray.origin), total_weight);
         sum += light.color * (light.intensity * power_share(pdf, own * chosen));
     }
     return sum;
@@ -290,14 +289,14 @@ Vec3 Lights::met(const Ray& ray, float pdf, float total_weight) const {
 float Lights::mesh_pdf(const Hit& hit, const Ray& ray, const Vec3& radiance_nit,
                        float total_weight) const {
     const std::size_t first = first_emitter_[hit.instance];
-    if (first == no_emitter || !(total_weight > 0.0F) || radiance_nit == Vec3(0.0F)) return 0.0F;
+    if (first == no_emitter || radiance_nit == Vec3(0.0F)) return 0.0F;
     const float area2 = math::length(hit.normal);
     const float cosine = std::fabs(math::dot(hit.normal, ray.direction)) / std::max(area2, 1e-30F);
     const std::size_t emitter = first + hit.triangle;
     const float pdf =
         Terms{}.pdf_area(emitters_[emitter].area_m2, hit.distance_m * hit.distance_m, cosine);
     return pdf * emitter_shares_.share(static_cast<std::uint32_t>(emitter)) *
-           mesh_weight(ray.origin) / total_weight;
+           chance(mesh_weight(ray.origin), total_weight);
 }
 
 }  // namespace facet::trace

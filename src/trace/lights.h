@@ -32,14 +32,20 @@ class Lights {
 public:
     /// Everything outlives this.
     Lights(const scene::Scene& scene, const Textures& textures);
-    [[nodiscard]] bool empty() const { return scene_->lights.empty() && emitters_.empty(); }
+    /// Listed lights, and one for all meshes that emit.
+    [[nodiscard]] std::size_t count() const {
+        return scene_->lights.size() + (emitters_.empty() ? 0 : 1);
+    }
 
-    /// A light chosen by what it can do at `position_m` at most.
+    /// A light to draw from; the last of count() is the meshes that emit.
     struct Choice {
-        std::size_t light = 0;  ///< of Scene::lights; their count: the meshes that emit
+        std::size_t light = 0;
         float probability = 0.0F;
         float total_weight = 0.0F;
     };
+    /// In place of Choice::total_weight where every light is drawn from, each with probability 1.
+    static constexpr float every_light = -1.0F;
+    /// One light, by what it can do at `position_m` at most.
     [[nodiscard]] Choice choose(const math::Vec3& position_m, float u) const;
     [[nodiscard]] LightSample sample(const Choice& choice, const math::Vec3& position_m,
                                      math::Vec2 u, float pick) const;
@@ -62,6 +68,12 @@ private:
     };
     void add_emitters(const scene::Scene& scene, std::uint32_t instance);
     [[nodiscard]] float weight(const scene::Light& light, const math::Vec3& position_m) const;
+    /// Probability of drawing from a light of this weight.
+    [[nodiscard]] static float chance(float weight, float total_weight) {
+        return total_weight == every_light ? 1.0F
+               : total_weight > 0.0F       ? weight / total_weight
+                                           : 0.0F;
+    }
     [[nodiscard]] float mesh_weight(const math::Vec3& position_m) const;
     [[nodiscard]] LightSample sample_mesh(const math::Vec3& position_m, math::Vec2 u,
                                           float pick) const;

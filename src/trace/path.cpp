@@ -3,7 +3,6 @@
 #include "trace/path.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 namespace facet::trace {
@@ -15,27 +14,12 @@ using math::Vec3;
 constexpr std::uint32_t first_roulette = 3;
 /// Blended surfaces that one ray may pass: more than any picture shows.
 constexpr std::uint32_t most_passed = 256;
+/// As many lights as this are all drawn from where the camera looks: what one of them hides from
+/// another shows there.
+constexpr std::size_t most_drawn_each = 8;
 /// Share of a lobe's width that the ray it is drawn with stands for; textures seen through it are
 /// that much coarser.
 constexpr float lobe_cone = 0.15F;
-
-/// A ray's origin beside the surface, so that rounding does not make the ray meet it again. Source:
-/// Waechter & Binder 2019, "A Fast and Robust Method for Avoiding Self-Intersection", Ray Tracing
-/// Gems, Chapter 6.
-Vec3 beside(const Vec3& position_m, const Vec3& normal) {
-    constexpr float near_origin = 1.0F / 32.0F;
-    constexpr float float_scale = 1.0F / 65536.0F;
-    constexpr float int_scale = 256.0F;
-    Vec3 out;
-    for (int i = 0; i < 3; ++i) {
-        const auto offset = static_cast<std::int32_t>(int_scale * normal[i]);
-        const auto bits = std::bit_cast<std::int32_t>(position_m[i]);
-        const float moved = std::bit_cast<float>(bits + (position_m[i] < 0.0F ? -offset : offset));
-        out[i] = std::fabs(position_m[i]) < near_origin ? position_m[i] + float_scale * normal[i]
-                                                        : moved;
-    }
-    return out;
-}
 
 class Path {
 public:
@@ -78,9 +62,9 @@ private:
         add_emission(hit, surface);
         if (surface.unlit || bounce_ >= world_.bounce_limit) return false;
         const Bsdf bsdf(world_.model, surface, -ray_.direction);
-        const Vec3 origin = beside(surface.position_m, surface.face_normal);
+        const Vec3& origin = surface.outside_m;
         add_sampled_environment(bsdf, origin);
-        add_sampled_light(bsdf, origin);
+        add_sampled_lights(bsdf, origin);
         return scatter(bsdf, origin, cone_m);
     }
 
@@ -92,16 +76,11 @@ private:
     }
 
     void add_environment() {
-        if (from_camera()) {
-            if (!world_.shows_environment) return;
-            out_.radiance_nit += world_.environment.radiance(ray_.direction);
-            out_.coverage = 1.0F;
-            return;
-        }
-        const Vec3 nit = world_.environment.radiance(ray_.direction);
-        const float share =
-            mirrored_ ? 1.0F : power_share(pdf_, world_.environment.pdf(ray_.direction));
-        out_.radiance_nit += throughput_ * nit * share;
+        if (from_camera() && !world_.shows_environment) return;
+        const EnvironmentLight::Light light = world_.environment.at(ray_.direction);
+        if (from_camera()) out_.coverage = 1.0F;
+        const float share = from_camera() || mirrored_ ? 1.0F : power_share(pdf_, light.pdf);
+        out_.radiance_nit += throughput_ * light.radiance_nit * share;
     }
 
     void add_emission(const Hit& hit, const Surface& surface) {
@@ -119,26 +98,36 @@ private:
     void add_sampled_environment(const Bsdf& bsdf, const Vec3& origin) {
         if (world_.environment.is_black()) return;
         const EnvironmentLight::Sample sample = world_.environment.sample(sequence_.next_pair());
-        if (!(sample.pdf > 0.0F)) return;
+        if (!(sample.light.pdf > 0.0F)) return;
         const Scattered f = bsdf.evaluate(sample.direction);
         if (f.of_environment == Vec3(0.0F)) return;
         ++out_.rays;
         const float through = world_.geometry.transmittance({origin, sample.direction});
         if (through <= 0.0F) return;
-        const float share = power_share(sample.pdf, f.pdf);
-        out_.radiance_nit += throughput_ * f.of_environment *
-                             world_.environment.radiance(sample.direction) *
-                             (through * share / sample.pdf);
+        const float share = power_share(sample.light.pdf, f.pdf);
+        out_.radiance_nit += throughput_ * f.of_environment * sample.light.radiance_nit *
+                             (through * share / sample.light.pdf);
     }
 
-    void add_sampled_light(const Bsdf& bsdf, const Vec3& origin) {
-        if (world_.lights.empty()) return;
+    void add_sampled_lights(const Bsdf& bsdf, const Vec3& origin) {
+        const std::size_t count = world_.lights.count();
+        if (count == 0) return;
+        if (from_camera() && count <= most_drawn_each) {
+            light_weight_ = Lights::every_light;
+            for (std::size_t i = 0; i < count; ++i)
+                add_light(bsdf, origin, {i, 1.0F, 0.0F}, sequence_.next());
+            return;
+        }
         const math::Vec2 chance = sequence_.next_pair();
-        const math::Vec2 u = sequence_.next_pair();
         const Lights::Choice choice = world_.lights.choose(origin, chance.x);
         light_weight_ = choice.total_weight;
-        if (!(choice.probability > 0.0F)) return;
-        const LightSample sample = world_.lights.sample(choice, origin, u, chance.y);
+        if (choice.probability > 0.0F) add_light(bsdf, origin, choice, chance.y);
+    }
+
+    /// `pick`: which place of a light made of many, [0, 1).
+    void add_light(const Bsdf& bsdf, const Vec3& origin, const Lights::Choice& choice, float pick) {
+        const LightSample sample =
+            world_.lights.sample(choice, origin, sequence_.next_pair(), pick);
         if (sample.light == Vec3(0.0F) || (sample.has_size && !(sample.pdf > 0.0F))) return;
         const Scattered f = bsdf.evaluate(sample.direction);
         if (f.of_light == Vec3(0.0F)) return;

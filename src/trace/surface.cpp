@@ -137,9 +137,17 @@ std::vector<InstanceFrame> instance_frames(const scene::Scene& scene) {
     for (const scene::Instance& instance : scene.instances) {
         const Mat3 m(instance.world_from_object);
         const float handedness = math::dot(math::cross(m[0], m[1]), m[2]) < 0.0F ? -1.0F : 1.0F;
+        // What cancels in M p + t has been as large as |M| |p| + |t|; sixteen roundings of that
+        // bound the error of the corners, of the sum over them, and of Embree's plane.
+        const math::Bounds& box = scene.meshes[instance.mesh.index].bounds_m;
+        const Vec3 largest = glm::max(glm::abs(box.low), glm::abs(box.high));
+        const Vec3 sum = glm::abs(m[0]) * largest.x + glm::abs(m[1]) * largest.y +
+                         glm::abs(m[2]) * largest.z + glm::abs(Vec3(instance.world_from_object[3]));
+        constexpr float roundings = 16.0F * 1.1920929e-7F;
         frames.push_back(
             {Mat3(math::cross(m[1], m[2]) * handedness, math::cross(m[2], m[0]) * handedness,
-                  math::cross(m[0], m[1]) * handedness)});
+                  math::cross(m[0], m[1]) * handedness),
+             std::max({sum.x, sum.y, sum.z}) * roundings});
     }
     return frames;
 }
@@ -167,6 +175,11 @@ Surface surface_at(const scene::Scene& scene, const std::vector<InstanceFrame>& 
     s.normal = shading_normal(scene, instance, mesh, frames[hit.instance].normal_from_object,
                               corners, lookup, material.values.normal_scale) *
                side;
+    // As far along the normal as the error may lie along every axis (Pharr, Jakob & Humphreys 2023,
+    // Section 6.8.6).
+    const Vec3 spread = glm::abs(s.face_normal);
+    s.outside_m = s.position_m + s.face_normal * (frames[hit.instance].rounding_m *
+                                                  (spread.x + spread.y + spread.z));
     if (!std::isfinite(s.normal.x + s.normal.y + s.normal.z)) s.normal = s.face_normal;
     return s;
 }

@@ -13,6 +13,8 @@ namespace facet::trace {
 /// The numbers that the G-buffer holds, at one point. World space.
 struct Surface {
     math::Vec3 position_m{0.0F};
+    math::Vec3 outside_m{
+        0.0F};  ///< beside the position, on the viewer's side, free of its own triangle
     math::Vec3 face_normal{0.0F};  ///< unit, of the triangle, on the side of the viewer
     math::Vec3 normal{0.0F};       ///< unit, shading, turned with the face
     math::Vec3 base_color{1.0F};
@@ -30,6 +32,7 @@ struct Surface {
 /// What of an instance does not change from hit to hit.
 struct InstanceFrame {
     math::Mat3 normal_from_object{1.0F};  ///< cofactors: right for any scale
+    float rounding_m = 0.0F;              ///< bound on the error of a position, along any axis
 };
 [[nodiscard]] std::vector<InstanceFrame> instance_frames(const scene::Scene& scene);
 

@@ -101,9 +101,10 @@ struct Tracer::Impl {
     std::optional<Geometry> geometry;
     double build_s = 0.0;
 
-    [[nodiscard]] World world() const {
+    [[nodiscard]] World world(std::uint32_t bounces) const {
         return {inputs.scene, frames,      textures, *geometry,
-                lights,       environment, model,    inputs.shows_environment};
+                lights,       environment, model,    inputs.shows_environment,
+                bounces};
     }
 };
 
@@ -126,7 +127,7 @@ base::Result<Tracer> Tracer::create(const TraceInputs& inputs, const base::Limit
 Traced Tracer::trace(const TraceSettings& settings, base::ThreadPool& pool,
                      const base::Progress& progress) const {
     const auto start = Clock::now();
-    const World world = impl_->world();
+    const World world = impl_->world(settings.bounces);
     const CameraRays camera(impl_->inputs.camera, settings.picture);
     Film film(settings.size);
     Traced out;

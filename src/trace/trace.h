@@ -38,6 +38,7 @@ struct TraceSettings {
     double exposure = 1.0;  ///< for `noise`: what display values are
     std::optional<double> time_s;  ///< stop after this long; what is there is the picture
     std::uint32_t seed = 0;
+    std::uint32_t bounces = 64;  ///< after the first surface; paths end by chance long before
 };
 
 struct Traced {
