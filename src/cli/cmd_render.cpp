@@ -3,6 +3,7 @@
 #include "base/text.h"
 #include "cli/flags.h"
 #include "cli/output_gate.h"
+#include "cli/progress.h"
 #include "cli/setting_flags.h"
 #include "gl/context.h"
 #include "image/write.h"
@@ -89,24 +90,43 @@ base::Status check(const RenderOptions& options, const tables::Settings& setting
 nlohmann::ordered_json result_object(const std::string& output, const render::Rendered& r) {
     nlohmann::ordered_json warnings = nlohmann::ordered_json::array();
     for (const base::Warning& warning : r.warnings) warnings.push_back(warning_object(warning));
-    return {{"facet", 1},
-            {"output", output},
-            {"width", r.size.width},
-            {"height", r.size.height},
-            {"exposure", r.exposure},
-            {"ms",
-             {{"load", r.ms.load},
-              {"upload", r.ms.upload},
-              {"render", r.ms.render},
-              {"write", r.ms.write}}},
-            {"backend", r.backend},
-            {"triangles", r.triangles},
-            {"materials", r.materials},
-            {"warnings", warnings}};
+    nlohmann::ordered_json object = {{"facet", 1},
+                                     {"output", output},
+                                     {"width", r.size.width},
+                                     {"height", r.size.height},
+                                     {"exposure", r.exposure},
+                                     {"ms",
+                                      {{"load", r.ms.load},
+                                       {"upload", r.ms.upload},
+                                       {"render", r.ms.render},
+                                       {"write", r.ms.write}}},
+                                     {"backend", r.backend},
+                                     {"triangles", r.triangles},
+                                     {"materials", r.materials},
+                                     {"warnings", warnings}};
+    if (r.reference)
+        object["reference"] = {{"samples", r.reference->samples},
+                               {"noise", r.reference->noise},
+                               {"paths", r.reference->paths},
+                               {"rays", r.reference->rays},
+                               {"stopped_by_time", r.reference->stopped_by_time},
+                               {"build_s", r.reference->build_s},
+                               {"trace_s", r.reference->trace_s}};
+    return object;
 }
 
-Result<render::Rendered> render_to_stdout(const render::Request& request, base::Log& log, Io& io) {
-    auto rendered = render::render(request, log);
+std::string result_line(const std::string& output, const render::Rendered& r, double took_s) {
+    std::string line =
+        fmt::format("{}  {}x{}", base::escaped(output, 4096), r.size.width, r.size.height);
+    if (r.reference)
+        line +=
+            fmt::format("  {:.4g} samples  noise {:.2g}", r.reference->samples, r.reference->noise);
+    return line + fmt::format("  {:.2f} s", took_s);
+}
+
+Result<render::Rendered> render_to_stdout(const render::Request& request, base::Log& log, Io& io,
+                                          const base::Progress& progress) {
+    auto rendered = render::render(request, log, progress);
     if (!rendered) return rendered;
     const bool deep = rendered->display.sample == image::Sample::u16;
     const auto png = image::encode(
@@ -126,8 +146,11 @@ Result<Exit> run_render(const RenderOptions& options, Io& io) {
     gl::prepare_environment(settings->threads);
     base::Log log = io.log();
     const bool to_stdout = options.output == "-";
-    const auto rendered = to_stdout ? render_to_stdout(request, log, io)
-                                    : render::render_to_file(request, options.output, log);
+    const auto rendered = [&] {
+        ProgressLine progress(io);
+        return to_stdout ? render_to_stdout(request, log, io, progress.sink())
+                         : render::render_to_file(request, options.output, log, progress.sink());
+    }();
     if (!rendered) return tl::unexpected(rendered.error());
     io.warn(rendered->warnings, false);
     if (options.show_reads)
@@ -138,8 +161,7 @@ Result<Exit> run_render(const RenderOptions& options, Io& io) {
     if (io.json)
         io.print_object(result_object(options.output, *rendered));
     else
-        io.print(fmt::format("{}  {}x{}  {:.2f} s", base::escaped(options.output, 4096),
-                             rendered->size.width, rendered->size.height, took.count()));
+        io.print(result_line(options.output, *rendered, took.count()));
     return Exit::done;
 }
 

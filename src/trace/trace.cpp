@@ -70,14 +70,28 @@ TileCounts trace_tile(const Pass& pass, Film& film, std::size_t tile, std::uint3
     return counts;
 }
 
-void report(const TraceSettings& settings, std::uint32_t done, std::size_t tiles_left,
-            std::size_t tile_count, const base::Progress& progress) {
+void report(const TraceSettings& settings, std::uint32_t done, const Film& film,
+            const base::Progress& progress) {
     const double by_samples = static_cast<double>(done) / settings.samples;
-    const double by_tiles = 1.0 - static_cast<double>(tiles_left) / static_cast<double>(tile_count);
-    progress(std::max(by_samples, by_tiles),
-             settings.noise
-                 ? fmt::format("{} samples, {:.0f} % of the picture done", done, 100.0 * by_tiles)
-                 : fmt::format("{} of {} samples", done, settings.samples));
+    if (!settings.noise)
+        return progress(by_samples, fmt::format("{} of {} samples", done, settings.samples));
+    const double noise = film.error(settings.exposure);
+    // Errors fall with the root of the samples.
+    const double by_noise =
+        noise > 0.0 ? std::min(1.0, *settings.noise * *settings.noise / (noise * noise)) : 1.0;
+    progress(std::max(by_samples, by_noise),
+             fmt::format("{} samples, noise {:.2g} of {:.2g}", done, noise, *settings.noise));
+}
+
+/// Samples of the next pass: as many as there are, until then, but no more than the time that is
+/// left allows for.
+std::uint32_t next_pass(const TraceSettings& settings, std::uint32_t done, double elapsed_s) {
+    const std::uint32_t count =
+        std::min({std::max(1U, done), largest_pass, settings.samples - done});
+    if (!settings.time_s || done == 0) return count;
+    const double each_s = elapsed_s / done;
+    const double room = (*settings.time_s - elapsed_s) / std::max(each_s, 1e-9);
+    return room < 1.0 ? 0 : std::min(count, static_cast<std::uint32_t>(std::min(room, 1e6)));
 }
 
 }  // namespace
@@ -135,8 +149,11 @@ Traced Tracer::trace(const TraceSettings& settings, base::ThreadPool& pool,
     std::iota(tiles.begin(), tiles.end(), std::size_t{0});
     std::uint32_t first = 0;
     while (first < settings.samples && !tiles.empty()) {
-        const std::uint32_t count =
-            std::min({std::max(1U, first), largest_pass, settings.samples - first});
+        const std::uint32_t count = next_pass(settings, first, seconds_since(start));
+        if (count == 0) {
+            out.stopped_by_time = true;
+            break;
+        }
         std::vector<TileCounts> counts(tiles.size());
         pool.parallel_for(tiles.size(), [&](std::size_t i) {
             counts[i] = trace_tile({world, camera, settings}, film, tiles[i], first, count);
@@ -152,11 +169,7 @@ Traced Tracer::trace(const TraceSettings& settings, base::ThreadPool& pool,
                 return film.tile_error(tile, settings.exposure) <= *settings.noise;
             });
         }
-        if (progress) report(settings, first, tiles.size(), film.tile_count(), progress);
-        if (settings.time_s && seconds_since(start) >= *settings.time_s) {
-            out.stopped_by_time = first < settings.samples && !tiles.empty();
-            break;
-        }
+        if (progress) report(settings, first, film, progress);
     }
     out.radiance = film.mean();
     out.noise = film.error(settings.exposure);
