@@ -8,11 +8,11 @@
 
 namespace facet::brdf {
 
-/// light_KIND gives illuminance or its share, sample_KIND, pdf_KIND and hit_KIND are for lights with a size.
+/// light_KIND gives illuminance or its share, sample_KIND, pdf_KIND and hit_KIND are for lights
+/// with a size.
 template <class Real>
 struct LightTerms {
 #include "brdf/prelude.h"
-
 #include "generated/light_terms.inl"
 };
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/reference.h"
 
+#include "render/session.h"
 #include "trace/trace.h"
 
 namespace facet::render {
@@ -21,10 +22,9 @@ void warn(const trace::Traced& traced, base::Warnings& warnings) {
 
 }  // namespace
 
-base::Result<image::Image> trace_reference(const Session& session, const Request& request,
-                                           const Plan& plan, double exposure,
-                                           base::ThreadPool& pool, const base::Progress& progress,
-                                           Rendered& out) {
+base::Result<Reference> trace_reference(const Session& session, const Request& request,
+                                        const Plan& plan, double exposure, base::ThreadPool& pool,
+                                        const base::Progress& progress, Rendered& out) {
     const Job& job = session.job();
     auto tracer = trace::Tracer::create(
         {.scene = job.scene,
@@ -36,16 +36,18 @@ base::Result<image::Image> trace_reference(const Session& session, const Request
          .brdf = plan.brdf},
         plan.limits, pool);
     if (!tracer) return tl::unexpected(tracer.error());
-    trace::Traced traced = tracer->trace({.picture = plan.picture,
-                                          .x = plan.region.x,
-                                          .y = plan.region.y,
-                                          .size = plan.region.size,
-                                          .samples = plan.reference->samples,
-                                          .noise = plan.reference->noise,
-                                          .exposure = exposure,
-                                          .time_s = plan.reference->time_s,
-                                          .seed = request.settings.seed},
-                                         pool, progress);
+    const trace::TraceSettings settings{.picture = plan.picture,
+                                        .x = plan.region.x,
+                                        .y = plan.region.y,
+                                        .size = plan.region.size,
+                                        .samples = plan.reference->samples,
+                                        .noise = plan.reference->noise,
+                                        .exposure = exposure,
+                                        .time_s = plan.reference->time_s,
+                                        .seed = request.settings.seed};
+    trace::Traced traced = tracer->trace(settings, pool, progress);
+    Reference reference{.radiance = std::move(traced.radiance),
+                        .aovs = tracer->aovs(settings, plan.aovs, pool)};
     warn(traced, out.warnings);
     out.reference = ReferenceReport{.samples = traced.samples,
                                     .noise = traced.noise,
@@ -54,7 +56,7 @@ base::Result<image::Image> trace_reference(const Session& session, const Request
                                     .stopped_by_time = traced.stopped_by_time,
                                     .build_s = traced.build_s,
                                     .trace_s = traced.trace_s};
-    return std::move(traced.radiance);
+    return reference;
 }
 
 }  // namespace facet::render

@@ -6,17 +6,22 @@
 #include "base/thread_pool.h"
 #include "render/plan.h"
 #include "render/render.h"
-#include "render/session.h"
 
 namespace facet::render {
 
+class Session;
+
+struct Reference {
+    image::Image radiance;  ///< nit, associated coverage, f32 [height, width, 4]
+    std::vector<image::Layer> aovs;
+};
+
 /// Traces what the session has loaded, and fills report and warnings of `out`. `exposure` is what
-/// --reference auto:NOISE measures display values by. Returns radiance in nit with associated
-/// coverage, f32 [height, width, 4].
-[[nodiscard]] base::Result<image::Image> trace_reference(const Session& session,
-                                                         const Request& request, const Plan& plan,
-                                                         double exposure, base::ThreadPool& pool,
-                                                         const base::Progress& progress,
-                                                         Rendered& out);
+/// --reference auto:NOISE measures display values by.
+[[nodiscard]] base::Result<Reference> trace_reference(const Session& session,
+                                                      const Request& request, const Plan& plan,
+                                                      double exposure, base::ThreadPool& pool,
+                                                      const base::Progress& progress,
+                                                      Rendered& out);
 
 }  // namespace facet::render

@@ -37,34 +37,44 @@ struct Tools {
     const base::Progress& progress;
 };
 
-/// The traced picture in place of the drawn one.
-base::Status draw_reference(Session& session, const Request& request, const Plan& plan,
-                            const Tools& tools, Rendered& out) {
-    auto radiance =
-        trace_reference(session, request, plan, out.exposure, tools.pool, tools.progress, out);
-    if (!radiance) return tl::unexpected(radiance.error());
-    if (request.want_linear) {
-        session.lay_over_background(*radiance, out.exposure);
-        out.layers.push_back(
-            {.name = "", .channels = {"R", "G", "B", "A"}, .image = std::move(*radiance)});
+/// Radiance as a layer, or encoded for a screen.
+base::Status deliver(Session& session, bool want_linear, image::Image radiance, Rendered& out) {
+    if (!want_linear) {
+        if (auto shown = session.display_picture(radiance, out.exposure); !shown) return shown;
+        out.display = session.read_display();
         return {};
     }
-    if (auto shown = session.display_picture(*radiance, out.exposure); !shown) return shown;
-    out.display = session.read_display();
+    session.lay_over_background(radiance, out.exposure);
+    out.layers.push_back(
+        {.name = "", .channels = {"R", "G", "B", "A"}, .image = std::move(radiance)});
     return {};
 }
 
-base::Status draw(Session& session, const Request& request, const Plan& plan, const Tools& tools,
-                  Rendered& out) {
+base::Status draw_reference(Session& session, const Request& request, const Plan& plan,
+                            const Tools& tools, Rendered& out) {
+    // The rasteriser measures the exposure of both, so that they can be laid side by side.
     const std::uint32_t count = plan.sample_count;
-    // The rasteriser measures the exposure of the reference too: both are shown alike.
-    const bool rasterises = !plan.reference || !plan.exposure || !plan.aovs.empty();
-    for (std::uint32_t i = 0; i < count && rasterises; ++i)
+    if (!plan.exposure) {
+        for (std::uint32_t i = 0; i < count; ++i)
+            if (auto drawn = session.draw(i, count); !drawn) return drawn;
+        out.exposure = session.measure_exposure(count);
+    }
+    auto reference =
+        trace_reference(session, request, plan, out.exposure, tools.pool, tools.progress, out);
+    if (!reference) return tl::unexpected(reference.error());
+    if (auto s = deliver(session, request.want_linear, std::move(reference->radiance), out); !s)
+        return s;
+    for (image::Layer& layer : reference->aovs) out.layers.push_back(std::move(layer));
+    return {};
+}
+
+base::Status draw_raster(Session& session, const Request& request, const Plan& plan,
+                         Rendered& out) {
+    const std::uint32_t count = plan.sample_count;
+    for (std::uint32_t i = 0; i < count; ++i)
         if (auto drawn = session.draw(i, count); !drawn) return drawn;
-    out.exposure = plan.exposure ? *plan.exposure : session.measure_exposure(count);
-    if (plan.reference) {
-        if (auto drawn = draw_reference(session, request, plan, tools, out); !drawn) return drawn;
-    } else if (request.want_linear) {
+    if (!plan.exposure) out.exposure = session.measure_exposure(count);
+    if (request.want_linear) {
         out.layers.push_back(session.read_beauty(out.exposure, count));
     } else {
         if (auto shown = session.display(out.exposure, count); !shown) return shown;
@@ -72,8 +82,16 @@ base::Status draw(Session& session, const Request& request, const Plan& plan, co
     }
     if (auto drawn = session.draw_centered_aovs(); !drawn) return drawn;
     for (image::Layer& layer : session.read_aovs(count)) out.layers.push_back(std::move(layer));
-    if (!request.settings.keep_nan) clean(out.layers, out.warnings);
     return {};
+}
+
+base::Status draw(Session& session, const Request& request, const Plan& plan, const Tools& tools,
+                  Rendered& out) {
+    if (plan.exposure) out.exposure = *plan.exposure;
+    auto drawn = plan.reference ? draw_reference(session, request, plan, tools, out)
+                                : draw_raster(session, request, plan, out);
+    if (drawn && !request.settings.keep_nan) clean(out.layers, out.warnings);
+    return drawn;
 }
 
 }  // namespace

@@ -22,15 +22,15 @@ enum class PngCode { clamp, signed_unit, range, id_color };
 /// One row of aovs.def.
 struct AovRow {
     std::string_view key;
-    std::string_view channels;  ///< EXR channel letters
     std::string_view glsl;
+    std::string_view channels;  ///< EXR channel letters
     Space space = Space::none;
     Average average = Average::mean;
     PngCode png = PngCode::clamp;
     std::string_view help;
 };
 inline constexpr auto aovs = std::to_array<AovRow>({
-#define AOV(name, ...) {.key = #name, __VA_ARGS__},
+#define AOV(name, value, ...) {.key = #name, .glsl = #value, __VA_ARGS__},
 #include "tables/aovs.def"
 });
 

@@ -38,6 +38,8 @@ public:
         if (camera_.far_m > 0.0F) out.far_m = camera_.far_m * length;
         return out;
     }
+    /// Unit; where the camera looks.
+    [[nodiscard]] math::Vec3 forward() const { return -math::Vec3(camera_.world_from_view[2]); }
     /// Width of a pixel: at the eye, metres, and its growth per metre.
     [[nodiscard]] float cone_at_eye_m() const { return orthographic_ ? pixel_ : 0.0F; }
     [[nodiscard]] float cone_spread() const { return orthographic_ ? 0.0F : pixel_; }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "trace/trace.h"
 
+#include "trace/aov.h"
 #include "trace/camera.h"
 #include "trace/film.h"
 #include "trace/path.h"
@@ -30,6 +31,9 @@ constexpr std::uint32_t trusted_samples = 32;
 /// A ray stands for no less than this share of a pixel: finer would see texels that a picture
 /// cannot show (Pharr, Jakob & Humphreys 2023, Section 10.1.3).
 constexpr float cone_share_min = 0.125F;
+
+/// AOVs have no noise but the edges': as many as the rasteriser's finest quality half.
+constexpr std::uint32_t most_aov_samples = 16;
 
 struct TileCounts {
     std::uint64_t paths = 0;
@@ -177,6 +181,22 @@ Traced Tracer::trace(const TraceSettings& settings, base::ThreadPool& pool,
     out.build_s = impl_->build_s;
     out.trace_s = seconds_since(start);
     return out;
+}
+
+std::vector<image::Layer> Tracer::aovs(const TraceSettings& settings,
+                                       const std::vector<tables::Aov>& aovs,
+                                       base::ThreadPool& pool) const {
+    const World world = impl_->world(settings.bounces);
+    const CameraRays camera(impl_->inputs.camera, settings.picture);
+    return trace_aovs(world, camera,
+                      {.picture = settings.picture,
+                       .x = settings.x,
+                       .y = settings.y,
+                       .size = settings.size,
+                       .samples = std::min(settings.samples, most_aov_samples),
+                       .seed = settings.seed,
+                       .aovs = aovs},
+                      pool);
 }
 
 }  // namespace facet::trace

@@ -6,13 +6,15 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "base/thread_pool.h"
-#include "image/image.h"
+#include "image/read.h"
 #include "scene/environment.h"
 #include "scene/scene.h"
+#include "tables/aovs.h"
 #include "tables/brdf_terms.h"
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace facet::trace {
 
@@ -66,6 +68,12 @@ public:
     /// The same bytes for any number of threads (but for time_s).
     [[nodiscard]] Traced trace(const TraceSettings& settings, base::ThreadPool& pool,
                                const base::Progress& progress = {}) const;
+
+    /// What the camera meets first, a layer each (tables/aovs.def); means are of `samples` rays, 16
+    /// at most.
+    [[nodiscard]] std::vector<image::Layer> aovs(const TraceSettings& settings,
+                                                 const std::vector<tables::Aov>& aovs,
+                                                 base::ThreadPool& pool) const;
 
 private:
     struct Impl;

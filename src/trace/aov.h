@@ -1,0 +1,46 @@
+// Further outputs of the reference: what the camera's rays meet first.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "image/read.h"
+#include "tables/aovs.h"
+#include "trace/camera.h"
+#include "trace/path.h"
+
+#include <vector>
+
+namespace facet::trace {
+
+/// What the rows of tables/aovs.def take their values from; named as in glsl/frame/aov/aov.frag.
+struct AovSurface {
+    math::Vec3 albedo{0.0F};
+    math::Vec3 normal{0.0F};
+    float metallic = 0.0F;
+    float roughness = 0.0F;
+    float ao = 0.0F;
+    math::Vec3 emissive{0.0F};
+    math::Vec3 position_m{0.0F};
+    float depth_m = 0.0F;
+    std::uint32_t object_id = 0;
+    std::uint32_t material_id = 0;
+};
+[[nodiscard]] math::Vec3 aov_value(tables::Aov aov, const AovSurface& surface);
+
+/// The part of a picture that is traced, and how many rays a pixel's mean has.
+struct AovSpec {
+    math::Extent picture;
+    std::uint32_t x = 0;
+    std::uint32_t y = 0;
+    math::Extent size;
+    std::uint32_t samples = 16;
+    std::uint32_t seed = 0;
+    std::vector<tables::Aov> aovs;
+};
+
+/// One f32 layer an AOV. Rows averaged by mean take `samples` rays, the others one through the
+/// pixel's centre; where nothing is met the value is 0, and infinite for depth. Blended surfaces
+/// are passed, as the G-buffer leaves them out.
+[[nodiscard]] std::vector<image::Layer> trace_aovs(const World& world, const CameraRays& camera,
+                                                   const AovSpec& spec, base::ThreadPool& pool);
+
+}  // namespace facet::trace
