@@ -15,6 +15,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 
@@ -112,6 +113,14 @@ nlohmann::ordered_json result_object(const std::string& output, const render::Re
                                {"stopped_by_time", r.reference->stopped_by_time},
                                {"build_s", r.reference->build_s},
                                {"trace_s", r.reference->trace_s}};
+    if (r.compared)
+        object["compared"] = {{"rmse", r.compared->rmse},
+                              {"psnr", std::isfinite(r.compared->psnr_db)
+                                           ? nlohmann::ordered_json(r.compared->psnr_db)
+                                           : nlohmann::ordered_json(nullptr)},
+                              {"max", r.compared->max_error},
+                              {"flip", r.compared->flip},
+                              {"pixels", r.compared->pixels}};
     return object;
 }
 
@@ -121,6 +130,8 @@ std::string result_line(const std::string& output, const render::Rendered& r, do
     if (r.reference)
         line +=
             fmt::format("  {:.4g} samples  noise {:.2g}", r.reference->samples, r.reference->noise);
+    if (r.compared)
+        line += fmt::format("  rmse {:.4f}  flip {:.4f}", r.compared->rmse, r.compared->flip);
     return line + fmt::format("  {:.2f} s", took_s);
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "render/reference.h"
 
+#include "image/compare.h"
+#include "image/panels.h"
 #include "render/session.h"
 #include "trace/trace.h"
 
@@ -20,7 +22,35 @@ void warn(const trace::Traced& traced, base::Warnings& warnings) {
                             .remedy = "a larger --time-limit"});
 }
 
+image::Picture picture_of(const image::Image& display) {
+    return {.layers = {{.name = "", .channels = {"R", "G", "B", "A"}, .image = display}},
+            .metadata = {},
+            .format = tables::ImageFormat::png};
+}
+
 }  // namespace
+
+base::Result<image::Image> compare_displayed(const image::Image& raster,
+                                             const image::Image& reference, const Plan& plan,
+                                             Rendered& out) {
+    const image::Picture a = picture_of(raster);
+    const image::Picture b = picture_of(reference);
+    const auto covered = image::compare(a, b, {.pixels = image::Pixels::covered});
+    const auto whole = image::compare(a, b);
+    if (!whole) return tl::unexpected(whole.error());
+    // Where nothing is covered there is nothing but background, and that is compared.
+    const image::Difference& d = covered ? *covered : *whole;
+    out.compared =
+        Compared{d.rmse, d.psnr_db, d.max_error, whole->flip.value_or(0.0), d.pixel_count};
+    const image::Panel panels[] = {
+        {&raster, {"raster", fmt::format("{} samples", plan.sample_count)}},
+        {&reference,
+         {"reference", fmt::format("{:.4g} samples, noise {:.2g}", out.reference->samples,
+                                   out.reference->noise)}},
+        {&whole->heat,
+         {"difference", fmt::format("rmse {:.4f}  flip {:.4f}", d.rmse, out.compared->flip)}}};
+    return image::side_by_side(panels);
+}
 
 base::Result<Reference> trace_reference(const Session& session, const Request& request,
                                         const Plan& plan, double exposure, base::ThreadPool& pool,

@@ -16,6 +16,12 @@ struct Reference {
     std::vector<image::Layer> aovs;
 };
 
+/// --compare: raster, reference and their difference side by side. Both u8 or u16 RGBA; fills
+/// `out.compared`.
+[[nodiscard]] base::Result<image::Image> compare_displayed(const image::Image& raster,
+                                                           const image::Image& reference,
+                                                           const Plan& plan, Rendered& out);
+
 /// Traces what the session has loaded, and fills report and warnings of `out`. `exposure` is what
 /// --reference auto:NOISE measures display values by.
 [[nodiscard]] base::Result<Reference> trace_reference(const Session& session,

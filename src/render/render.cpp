@@ -50,20 +50,46 @@ base::Status deliver(Session& session, bool want_linear, image::Image radiance, 
     return {};
 }
 
+/// The rasteriser's picture beside the reference that `out` holds already.
+base::Status add_comparison(Session& session, const Request& request, const Plan& plan,
+                            Rendered& out) {
+    const std::uint32_t count = plan.sample_count;
+    if (!request.want_linear) {
+        if (auto shown = session.display(out.exposure, count); !shown) return shown;
+        auto panels = compare_displayed(session.read_display(), out.display, plan, out);
+        if (!panels) return tl::unexpected(panels.error());
+        out.display = std::move(*panels);
+        out.size = out.display.size;
+        return {};
+    }
+    image::Layer reference = std::move(out.layers.front());
+    out.layers.front() = session.read_beauty(out.exposure, count);
+    image::Layer difference = out.layers.front();
+    difference.name = "difference";
+    reference.name = "reference";
+    const auto values = difference.image.as<float>();
+    const auto truth = reference.image.as<float>();
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] -= truth[i];
+    out.layers.push_back(std::move(reference));
+    out.layers.push_back(std::move(difference));
+    return {};
+}
+
 base::Status draw_reference(Session& session, const Request& request, const Plan& plan,
                             const Tools& tools, Rendered& out) {
     // The rasteriser measures the exposure of both, so that they can be laid side by side.
     const std::uint32_t count = plan.sample_count;
-    if (!plan.exposure) {
+    if (!plan.exposure || request.settings.compare)
         for (std::uint32_t i = 0; i < count; ++i)
             if (auto drawn = session.draw(i, count); !drawn) return drawn;
-        out.exposure = session.measure_exposure(count);
-    }
+    if (!plan.exposure) out.exposure = session.measure_exposure(count);
     auto reference =
         trace_reference(session, request, plan, out.exposure, tools.pool, tools.progress, out);
     if (!reference) return tl::unexpected(reference.error());
     if (auto s = deliver(session, request.want_linear, std::move(reference->radiance), out); !s)
         return s;
+    if (request.settings.compare)
+        if (auto s = add_comparison(session, request, plan, out); !s) return s;
     for (image::Layer& layer : reference->aovs) out.layers.push_back(std::move(layer));
     return {};
 }

@@ -44,6 +44,15 @@ struct ReferenceReport {
     double trace_s = 0.0;
 };
 
+/// Raster against reference, as they are displayed.
+struct Compared {
+    double rmse = 0.0;  ///< over pixels that both cover
+    double psnr_db = 0.0;
+    double max_error = 0.0;
+    double flip = 0.0;  ///< mean LDR-FLIP over all pixels
+    std::uint64_t pixels = 0;
+};
+
 /// A finished picture.
 struct Rendered {
     math::Extent size;
@@ -56,6 +65,9 @@ struct Rendered {
     std::uint64_t triangles = 0;
     std::size_t materials = 0;
     std::optional<ReferenceReport> reference;
+    std::optional<Compared>
+        compared;  ///< --compare; `display` is then the two and their difference side by side,
+                   ///< and `layers` has "reference" and "difference" behind the raster
     base::Warnings warnings;
     std::vector<std::filesystem::path> reads;
     Times ms;

@@ -164,6 +164,12 @@ base::Result<Rendered> render_to_file(const Request& request, const fs::path& ou
     if (!depth) return tl::unexpected(depth.error());
     if (auto writable = base::check_writable(output); !writable)
         return tl::unexpected(writable.error());
+    if (request.settings.compare && row.scene_linear && !row.layers)
+        return base::fail({.code = base::ErrorCode::usage,
+                           .file = "--compare",
+                           .what = fmt::format("{} holds one picture", row.key),
+                           .found = output.string(),
+                           .remedy = "an .exr holds all three, a .png lays them side by side"});
     Request wanted = request;
     wanted.want_linear = row.scene_linear;
     auto rendered = render(wanted, log, progress);
