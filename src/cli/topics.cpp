@@ -4,11 +4,14 @@
 #include "cli/help.h"
 #include "cli/setting_flags.h"
 #include "tables/aovs.h"
+#include "tables/brdf_terms.h"
 #include "tables/exit_codes.h"
 #include "tables/lights.h"
 #include "tables/material.h"
 
 #include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
 
 namespace facet::cli {
 namespace {
@@ -78,15 +81,53 @@ std::string exit_codes() {
     return out;
 }
 
+std::string brdf() {
+    std::string out =
+        "Example: facet brdf furnace --brdf lecture --roughness 0.1,0.5,1\n\n"
+        "facet brdf eval --input GRID.csv   columns "
+        "term,model,roughness,metallic,f0,n_dot_v,n_dot_l,phi; writes them\n"
+        "                                   with value_r,value_g,value_b behind. term is one of D "
+        "G V F specular diffuse\n"
+        "                                   full; model is a value of --brdf with ; between its "
+        "parts, or empty; phi is\n"
+        "                                   the azimuth between view and light in degrees, 180 on "
+        "the mirror side\n"
+        "facet brdf albedo                  what the specular lobe reflects of light from "
+        "everywhere; with --balance\n"
+        "                                   reflected (that), transmitted (entered, and left again "
+        "as diffuse light),\n"
+        "                                   absorbed (the rest); they add up to 1\n"
+        "facet brdf furnace                 what both lobes reflect of light from everywhere, and "
+        "how far that is from 1\n"
+        "facet brdf sample --count 1000     directions as the reference draws them: their density, "
+        "value, and weight\n"
+        "                                   value cos / density, whose mean is the albedo\n"
+        "facet brdf plot -o lobe.svg        lobes in the plane of incidence, and D, F and G; "
+        "several --brdf in one plot\n\n"
+        "Base colour is white unless --base-color says otherwise. --via gl asks the shaders "
+        "instead of C++.\n"
+        "Terms, the first of each the default:\n";
+    std::string_view slot;
+    for (const tables::BrdfTerm& term : tables::brdf_terms) {
+        const bool is_choice = std::ranges::any_of(
+            tables::brdf_slots,
+            [&](const tables::BrdfSlot& each) { return each.key == term.slot; });
+        if (!is_choice || term.slot == "width") continue;
+        std::string name(term.name);
+        std::ranges::replace(name, '_', '-');
+        out += fmt::format("  {:<14} {:<18} {}\n", term.slot == slot ? "" : term.slot, name,
+                           term.notes.help);
+        slot = term.slot;
+    }
+    return out + "  lecture, lecture-literal: the seed lecture's sets\n";
+}
+
 struct Topic {
     std::string_view name;
     std::string (*text)();
 };
-constexpr Topic topics[] = {{"lights", lights},
-                            {"cameras", cameras},
-                            {"set", set},
-                            {"aovs", aovs},
-                            {"exit-codes", exit_codes}};
+constexpr Topic topics[] = {{"lights", lights}, {"cameras", cameras}, {"set", set},
+                            {"aovs", aovs},     {"brdf", brdf},       {"exit-codes", exit_codes}};
 
 }  // namespace
 

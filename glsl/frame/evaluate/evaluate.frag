@@ -1,0 +1,39 @@
+// The BRDF itself, one question a pixel: what `facet brdf --via gl` asks. src/frame/evaluate/evaluate.h fills the rows.
+#include "generated/brdf.glsl"
+
+uniform sampler2D questions;     // three rows of texels a block: cosines; roughness, metallic, f0, base; term
+uniform sampler2D albedo_table;  // as lighting/shade.glsl reads it
+
+layout(location = 0) out vec4 out_value;
+
+// Numbers of brdf::QueryTerm.
+const int TERM_D = 0;
+const int TERM_G = 1;
+const int TERM_V = 2;
+const int TERM_F = 3;
+const int TERM_SPECULAR = 4;
+const int TERM_DIFFUSE = 5;
+
+void main() {
+    ivec2 at = ivec2(gl_FragCoord.xy);
+    at.y *= 3;
+    vec4 cosines = texelFetch(questions, at, 0);  // n.v, n.l, n.h, v.h
+    vec4 material = texelFetch(questions, at + ivec2(0, 1), 0);
+    int term = int(texelFetch(questions, at + ivec2(0, 2), 0).x);
+    BrdfSurface s = brdf_surface(vec3(material.w), material.y, material.x);
+    s.dielectric_f0 = material.z;
+    float v = slot_masking(cosines.x, cosines.y, s.roughness, s.alpha);
+    float value = 0.0;
+    if (term == TERM_D) value = slot_distribution(cosines.z, s.alpha);
+    if (term == TERM_G) value = 4.0 * cosines.x * cosines.y * v;
+    if (term == TERM_V) value = v;
+    if (term == TERM_F) value = slot_fresnel(vec3(mix(material.z, material.w, material.y)), vec3(1.0), cosines.w).x;
+    if (term == TERM_DIFFUSE) value = slot_diffuse(vec3(1.0), s.roughness, cosines.x, cosines.y, cosines.w).x;
+    if (term == TERM_SPECULAR || term > TERM_DIFFUSE) {
+        vec4 albedo = textureLod(albedo_table, albedo_coordinates(cosines.x, s.roughness), 0.0);
+        vec2 e_l = textureLod(albedo_table, albedo_coordinates(cosines.y, s.roughness), 0.0).xy;
+        BrdfValue f = brdf_light(brdf_view(s, cosines.x, albedo), cosines.y, cosines.z, cosines.w, e_l.x + e_l.y);
+        value = f.specular.x + (term == TERM_SPECULAR ? 0.0 : f.diffuse.x);
+    }
+    out_value = vec4(value);
+}

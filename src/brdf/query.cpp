@@ -1,0 +1,141 @@
+// One question about the BRDF, and its answer in double precision.
+// SPDX-License-Identifier: MIT
+#include "brdf/query.h"
+
+#include "brdf/albedo.h"
+#include "brdf/terms.h"
+
+namespace facet::brdf {
+namespace {
+
+using Lobe = Terms<double>;
+using Color = Lobe::real3;
+
+constexpr double pi = Lobe::PI;
+/// What is a limit at grazing is evaluated beside it, as the albedo table is.
+constexpr double smallest_cosine = 1e-4;
+
+HalfVectorRule fine_rule() { return {gauss_legendre(24), gauss_legendre(64)}; }
+
+}  // namespace
+
+LightNode cosines_of(double n_dot_v, double n_dot_l, double phi_deg) {
+    const double sines =
+        std::sqrt(std::max(0.0, (1.0 - n_dot_v * n_dot_v) * (1.0 - n_dot_l * n_dot_l)));
+    const double v_dot_l = n_dot_v * n_dot_l + sines * std::cos(phi_deg * pi / 180.0);
+    // |v + l|^2 = 2 + 2 v.l, and h bisects the angle between v and l.
+    const double v_dot_h = std::sqrt(std::max(0.0, 0.5 + 0.5 * v_dot_l));
+    const double n_dot_h =
+        v_dot_h > 0.0 ? std::min(1.0, (n_dot_v + n_dot_l) / (2.0 * v_dot_h)) : 0.0;
+    return {n_dot_l, n_dot_h, v_dot_h, 0.0};
+}
+
+Queries::Queries(const tables::BrdfChoice& choice) : choice_(choice) {
+    choice_.environment_masking = choice_.masking;
+}
+
+const ExactAlbedo& Queries::albedo(double n_dot_v, double roughness) {
+    const auto [found, is_new] = albedos_.try_emplace({n_dot_v, roughness});
+    if (!is_new) return found->second;
+    const SplitSum sum = split_sum(choice_, n_dot_v, roughness);
+    const auto [average, unknown] = averages_.try_emplace(roughness, 1.0);
+    // Only a lobe that is added needs the mean.
+    const bool adds = choice_.multiscatter == tables::Multiscatter::kulla_conty;
+    if (unknown && adds) average->second = average_albedo(choice_, roughness);
+    found->second = {sum.a, sum.b, average->second, 1.0};
+    return found->second;
+}
+
+double Queries::light_albedo(double n_dot_l, double roughness) {
+    constexpr std::size_t steps = 96;
+    auto& values = light_albedos_[roughness];
+    if (values.empty())
+        for (std::size_t i = 0; i <= steps; ++i) {
+            const double x = static_cast<double>(i) / steps;
+            const SplitSum sum =
+                split_sum(choice_, std::max(x * x * x * x, smallest_cosine), roughness);
+            values.push_back(sum.a + sum.b);
+        }
+    const double at = std::sqrt(std::sqrt(n_dot_l)) * steps;
+    const auto below = std::min(static_cast<std::size_t>(at), steps - 1);
+    const double share = at - static_cast<double>(below);
+    return values[below] * (1.0 - share) + values[below + 1] * share;
+}
+
+double Queries::lobe(QueryTerm term, const QuerySurface& surface, const LightNode& at, double e_l) {
+    Lobe terms{choice_};
+    auto s = terms.brdf_surface(Color(surface.base), surface.metallic, surface.roughness);
+    s.dielectric_f0 = surface.f0;
+    const ExactAlbedo exact =
+        terms.slot_conserves() ? albedo(surface.n_dot_v, surface.roughness) : ExactAlbedo{};
+    const auto view =
+        terms.brdf_view(s, surface.n_dot_v, {exact.a, exact.b, exact.average, exact.diffuse});
+    const auto value = terms.brdf_light(view, at.n_dot_l, at.n_dot_h, at.v_dot_h, e_l);
+    return (term == QueryTerm::full ? value.diffuse + value.specular : value.specular).x;
+}
+
+double Queries::value(QueryTerm term, const QuerySurface& surface, const LightNode& at) {
+    Lobe terms{choice_};
+    const double alpha = terms.slot_width(surface.roughness);
+    switch (term) {
+        case QueryTerm::d:
+            return terms.slot_distribution(at.n_dot_h, alpha);
+        case QueryTerm::v:
+            return terms.slot_masking(surface.n_dot_v, at.n_dot_l, surface.roughness, alpha);
+        case QueryTerm::g:
+            return 4.0 * surface.n_dot_v * at.n_dot_l *
+                   terms.slot_masking(surface.n_dot_v, at.n_dot_l, surface.roughness, alpha);
+        case QueryTerm::f: {
+            const double f0 =
+                surface.f0 * (1.0 - surface.metallic) + surface.base * surface.metallic;
+            return terms.slot_fresnel(Color(f0), Color(1.0), at.v_dot_h).x;
+        }
+        case QueryTerm::diffuse:
+            return terms
+                .slot_diffuse(Color(1.0), surface.roughness, surface.n_dot_v, at.n_dot_l,
+                              at.v_dot_h)
+                .x;
+        case QueryTerm::specular:
+        case QueryTerm::full:
+            break;
+    }
+    const bool needs_e_l = choice_.multiscatter == tables::Multiscatter::kulla_conty;
+    return lobe(term, surface, at, needs_e_l ? light_albedo(at.n_dot_l, surface.roughness) : 1.0);
+}
+
+double Queries::value(QueryTerm term, const QuerySurface& surface, double n_dot_l, double phi_deg) {
+    const LightNode at = cosines_of(surface.n_dot_v, n_dot_l, phi_deg);
+    const bool is_lobe = term == QueryTerm::specular || term == QueryTerm::full;
+    if (!is_lobe || choice_.multiscatter != tables::Multiscatter::kulla_conty)
+        return value(term, surface, at);
+    const ExactAlbedo& at_light = albedo(n_dot_l, surface.roughness);
+    return lobe(term, surface, at, at_light.a + at_light.b);
+}
+
+ReflectanceNodes reflectance_nodes(const tables::BrdfChoice& choice, const QuerySurface& surface) {
+    static const HalfVectorRule rule = fine_rule();
+    Lobe terms{choice};
+    const double alpha = std::max(1e-4, terms.slot_width(surface.roughness));
+    const double n_dot_v = std::max(surface.n_dot_v, smallest_cosine);
+    ReflectanceNodes nodes;
+    over_half_vectors(rule, n_dot_v, alpha,
+                      [&](const LightNode& node) { nodes.specular.push_back(node); });
+    over_hemisphere({rule.azimuth, rule.azimuth}, n_dot_v,
+                    [&](const LightNode& node) { nodes.diffuse.push_back(node); });
+    return nodes;
+}
+
+Reflectance reflectance(Queries& queries, const QuerySurface& surface) {
+    QuerySurface held = surface;
+    held.n_dot_v = std::max(surface.n_dot_v, smallest_cosine);
+    const ReflectanceNodes nodes = reflectance_nodes(queries.choice(), held);
+    Reflectance out;
+    for (const LightNode& node : nodes.specular)
+        out.specular += node.weight * queries.value(QueryTerm::specular, held, node);
+    for (const LightNode& node : nodes.diffuse)
+        out.diffuse += node.weight * (queries.value(QueryTerm::full, held, node) -
+                                      queries.value(QueryTerm::specular, held, node));
+    return out;
+}
+
+}  // namespace facet::brdf
