@@ -29,6 +29,8 @@ struct DiffOptions {
     std::optional<double> max_rmse;
     std::optional<double> max_error;
     std::optional<double> max_flip;
+    std::optional<double> max_rel_mse;
+    std::string heat = "flip";
     std::optional<double> min_psnr;
 };
 
@@ -55,10 +57,12 @@ struct Metric {
 };
 
 std::vector<Metric> metrics(const image::Difference& d, const DiffOptions& o) {
-    return {{"rmse", d.rmse, o.max_rmse},
-            {"psnr", d.psnr_db, o.min_psnr, false},
-            {"max", d.max_error, o.max_error},
-            {"flip", d.flip, o.max_flip}};
+    return {
+        {"rmse", d.rmse, o.max_rmse},
+        {"psnr", d.psnr_db, o.min_psnr, false},
+        {"max", d.max_error, o.max_error},
+        {"rel_mse", o.layer.empty() ? std::optional(d.relative_mse) : std::nullopt, o.max_rel_mse},
+        {"flip", d.flip, o.max_flip}};
 }
 
 void print(const DiffOptions& options, const image::Difference& difference, bool held, Io& io) {
@@ -69,9 +73,10 @@ void print(const DiffOptions& options, const image::Difference& difference, bool
                                   ? nlohmann::ordered_json(*metric.value)
                                   : nullptr;
         if (!io.json && metric.value)
-            io.print(fmt::format("{:<5} {:.6f}{}", metric.name, *metric.value,
+            io.print(fmt::format("{:<7} {:.6f}{}", metric.name, *metric.value,
                                  metric.holds() ? "" : fmt::format("  beyond {}", *metric.bound)));
     }
+    if (difference.flip) object["flip_kind"] = difference.flip_is_hdr ? "hdr" : "ldr";
     object["pixels"] = difference.pixel_count;
     object["holds"] = held;
     if (io.json) io.print_object(object);
@@ -94,6 +99,11 @@ base::Status check(const DiffOptions& options) {
                            .file = "--max-flip",
                            .what = "excludes --mask and --layer",
                            .remedy = "FLIP looks at whole pictures"});
+    if (options.heat != "flip" && options.heat != "error")
+        return base::fail({.code = base::ErrorCode::usage,
+                           .file = "--heat",
+                           .what = "is one of flip, error",
+                           .found = options.heat});
     if (options.output.empty()) return {};
     if (auto writable =
             check_output(options.output, options.rules, std::vector{options.a, options.b});
@@ -114,7 +124,11 @@ Result<Exit> run_diff(const DiffOptions& options, Io& io) {
     const auto b = read(options.b);
     if (!b) return tl::unexpected(b.error());
     const auto pixels = options.mask ? image::Pixels::covered : image::Pixels::all;
-    const auto difference = image::compare(*a, *b, {.pixels = pixels, .layer = options.layer});
+    const auto difference =
+        image::compare(*a, *b,
+                       {.pixels = pixels,
+                        .layer = options.layer,
+                        .heat = options.heat == "flip" ? image::Heat::flip : image::Heat::error});
     if (!difference) return tl::unexpected(base::in_file(difference.error(), options.b));
     if (!options.output.empty())
         if (auto written = write_heat(options, difference->heat); !written)
@@ -135,10 +149,14 @@ void add_diff(Declaration& command) {
         flags.push_back(
             {name, BoundedNumber{&target, {0.0, high}}, "X", "Bounds (exit 1 beyond)", help});
     };
-    flags.push_back({"A", &options->a, "", "", "a picture"});
+    flags.push_back(
+        {"A", &options->a, "", "", "a picture: the reference, where that matters (FLIP, rel_mse)"});
     flags.push_back({"B", &options->b, "", "", "another of the same size"});
     flags.push_back({"-o,--output", &options->output, "FILE", "Diff",
-                     "a heat map: black where equal, white where not"});
+                     "a heat map: dark where equal, light where not"});
+    flags.push_back(
+        {"--heat", &options->heat, "flip|error", "Diff",
+         "what it shows: FLIP (with --mask or --layer: error), or the largest channel's error"});
     flags.push_back(
         {"--mkdirs", &options->rules.make_folders, "", "Diff", "makes the folder of the output"});
     flags.push_back(
@@ -150,7 +168,10 @@ void add_diff(Declaration& command) {
     bound("--max-rmse", options->max_rmse, 1e9,
           "largest root of the mean square, display values 0..1");
     bound("--max-error", options->max_error, 1e9, "largest error of any pixel");
-    bound("--max-flip", options->max_flip, 1.0, "largest mean FLIP at 67 pixels per degree");
+    bound("--max-flip", options->max_flip, 1.0,
+          "largest mean FLIP at 67 pixels per degree; of two .exr or .hdr it is HDR-FLIP");
+    bound("--max-rel-mse", options->max_rel_mse, 1e9,
+          "largest mean of (a - b)^2 / (a^2 + 0.01), linear light");
     bound("--min-psnr", options->min_psnr, 1e9, "smallest PSNR in dB");
     command.job = [options](Io& io) { return run_diff(*options, io); };
 }

@@ -78,6 +78,67 @@ void paint(float error, std::uint8_t* rgb) {
         rgb[c] = static_cast<std::uint8_t>(255.0F * clipped(t - static_cast<float>(c)) + 0.5F);
 }
 
+/// Magma (van der Walt & Smith 2015, of matplotlib, CC0) at quarters: even steps of lightness, as
+/// FLIP is shown.
+constexpr std::array<std::array<float, 3>, 5> magma{{{0.0F, 0.0F, 4.0F},
+                                                     {81.0F, 18.0F, 124.0F},
+                                                     {183.0F, 55.0F, 121.0F},
+                                                     {252.0F, 137.0F, 97.0F},
+                                                     {252.0F, 253.0F, 191.0F}}};
+
+Image painted_flip(const Image& map) {
+    Image out(map.size, 3, Sample::u8);
+    const auto errors = map.as<float>();
+    const auto to = out.as<std::uint8_t>();
+    for (std::size_t i = 0; i < errors.size(); ++i) {
+        const float at = clipped(errors[i]) * 4.0F;
+        const auto below = std::min(static_cast<std::size_t>(at), std::size_t{3});
+        const float share = at - static_cast<float>(below);
+        for (std::size_t c = 0; c < 3; ++c)
+            to[i * 3 + c] = static_cast<std::uint8_t>(magma[below][c] * (1.0F - share) +
+                                                      magma[below + 1][c] * share + 0.5F);
+    }
+    return out;
+}
+
+/// Linear light, f32 [height, width, 4]: radiance of scene-linear files, else what is shown,
+/// decoded.
+Image linear(const Picture& picture) {
+    Image out = shown(picture);
+    const auto to = out.as<float>();
+    const bool is_linear = tables::row(picture.format).scene_linear;
+    const Layer* const layer = beauty(picture);
+    constexpr float most = 1e30F;
+    for (std::size_t i = 0; i < to.size(); ++i) {
+        if (i % 4 == 3) continue;
+        if (!is_linear) {
+            to[i] = math::linear_from_srgb(to[i]);
+            continue;
+        }
+        const float v = rgba_at(layer->image, i / 4)[i % 4];
+        to[i] = v > 0.0F ? std::min(v, most) : 0.0F;
+    }
+    return out;
+}
+
+double relative_mse(const Image& reference, const Image& test, Pixels pixels) {
+    constexpr double darkest2 = 1e-2;
+    double sum = 0.0;
+    std::uint64_t count = 0;
+    const auto a = reference.as<float>();
+    const auto b = test.as<float>();
+    for (std::size_t i = 0; i < a.size(); i += 4) {
+        if (pixels == Pixels::covered && (a[i + 3] <= 0.5F || b[i + 3] <= 0.5F)) continue;
+        ++count;
+        for (std::size_t c = 0; c < 3; ++c) {
+            const auto x = static_cast<double>(a[i + c]);
+            const double d = x - static_cast<double>(b[i + c]);
+            sum += d * d / (x * x + darkest2);
+        }
+    }
+    return sum / (3.0 * static_cast<double>(std::max<std::uint64_t>(count, 1)));
+}
+
 Difference measure(const Image& a, const Image& b, Pixels pixels) {
     Difference out;
     out.heat = Image(a.size, 3, Sample::u8);
@@ -158,7 +219,15 @@ base::Result<Difference> compare(const Picture& a, const Picture& b,
                            .what = "no pixel is covered in both pictures",
                            .found = {},
                            .remedy = "compare without --mask"});
-    if (options.layer.empty() && options.pixels == Pixels::all) out.flip = mean_flip(first, second);
+    if (!options.layer.empty()) return out;
+    const Image light_a = linear(a);
+    const Image light_b = linear(b);
+    out.relative_mse = relative_mse(light_a, light_b, options.pixels);
+    if (options.pixels != Pixels::all) return out;
+    out.flip_is_hdr = tables::row(a.format).scene_linear && tables::row(b.format).scene_linear;
+    const Image map = out.flip_is_hdr ? hdr_flip_map(light_a, light_b) : flip_map(first, second);
+    out.flip = mean_of(map);
+    if (options.heat == Heat::flip) out.heat = painted_flip(map);
     return out;
 }
 

@@ -1,4 +1,4 @@
-// LDR-FLIP (Andersson et al. 2020): filtered colour difference, amplified where edges and points
+// FLIP (Andersson et al. 2020, 2021): filtered colour difference, amplified where edges and points
 // differ. SPDX-License-Identifier: MIT
 #include "image/flip.h"
 
@@ -191,9 +191,37 @@ float color_error(float distance, float largest) {
     return p_t + (powered - knee) / (largest - knee) * (1.0F - p_t);
 }
 
+/// ACES' curve by Narkowicz (2016) with its exposure bias of 0.6 taken out, as HDR-FLIP has it
+/// (Andersson et al. 2021, Section 3.1): (k0 x^2 + k1 x) / (k3 x^2 + k4 x + k5).
+constexpr float k0 = 0.6F * 0.6F * 2.51F, k1 = 0.6F * 0.03F;
+constexpr float k3 = 0.6F * 0.6F * 2.43F, k4 = 0.6F * 0.59F, k5 = 0.14F;
+constexpr float shown_at = 0.85F;  // Section 3.2
+
+float tone_mapped(float x) {
+    constexpr float large = 1e6F;  // the curve has long reached its end, and x^2 is finite
+    const float v = std::min(x, large);
+    return std::clamp((k0 * v * v + k1 * v) / (k3 * v * v + k4 * v + k5), 0.0F, 1.0F);
+}
+/// The value that the curve maps to shown_at.
+float unmapped() {
+    const float half = 0.5F * (k1 - k4 * shown_at) / (k0 - k3 * shown_at);
+    const float end = -k5 * shown_at / (k0 - k3 * shown_at);
+    return -half + std::sqrt(half * half - end);
+}
+
+Image exposed(const Image& linear, float stops) {
+    Image out(linear.size, 4, Sample::f32);
+    const float factor = std::exp2(stops);
+    const auto from = linear.as<float>();
+    const auto to = out.as<float>();
+    for (std::size_t i = 0; i < to.size(); ++i)
+        to[i] = i % 4 == 3 ? from[i] : math::srgb_from_linear(tone_mapped(from[i] * factor));
+    return out;
+}
+
 }  // namespace
 
-double mean_flip(const Image& a, const Image& b) {
+Image flip_map(const Image& a, const Image& b) {
     Planes of_a = to_ycxcz(a);
     Planes of_b = to_ycxcz(b);
     const auto colors_a = seen_colors(of_a, a.size);
@@ -204,15 +232,62 @@ double mean_flip(const Image& a, const Image& b) {
     const Plane points_a = features(of_a[0], a.size, 2), points_b = features(of_b[0], b.size, 2);
     const float largest =
         std::pow(hyab(hunt_lab({0.0F, 1.0F, 0.0F}), hunt_lab({0.0F, 0.0F, 1.0F})), q_c);
-    double sum = 0.0;
+    Image map(a.size, 1, Sample::f32);
+    const auto errors = map.as<float>();
     for (std::size_t i = 0; i < colors_a.size(); ++i) {
         const float color = color_error(hyab(colors_a[i], colors_b[i]), largest);
         const float feature =
             std::max(std::fabs(edges_a[i] - edges_b[i]), std::fabs(points_a[i] - points_b[i]));
         const float amplify = std::pow(std::clamp(feature / std::sqrt(2.0F), 0.0F, 1.0F), q_f);
-        sum += static_cast<double>(std::pow(color, 1.0F - amplify));
+        errors[i] = std::pow(color, 1.0F - amplify);
     }
-    return sum / static_cast<double>(colors_a.size());
+    return map;
+}
+
+std::vector<float> flip_exposures(const Image& reference) {
+    std::vector<float> luminances;
+    const auto values = reference.as<float>();
+    for (std::size_t i = 0; i < values.size(); i += 4)
+        luminances.push_back(math::luminance({values[i], values[i + 1], values[i + 2]}));
+    if (luminances.empty()) return {};
+    const float brightest = *std::max_element(luminances.begin(), luminances.end());
+    if (!(brightest > 0.0F)) return {};
+    const auto middle = luminances.begin() + static_cast<std::ptrdiff_t>(luminances.size() / 2);
+    std::nth_element(luminances.begin(), middle, luminances.end());
+    // A picture that is half black has no median to expose for: sixteen stops are all that a screen
+    // tells apart.
+    const float median = std::max(*middle, brightest * std::exp2(-16.0F));
+    const float start = std::log2(unmapped() / brightest);
+    const float stop = std::log2(unmapped() / median);
+    const auto count = static_cast<std::size_t>(std::max(2.0F, std::ceil(stop - start)));
+    std::vector<float> out;
+    for (std::size_t i = 0; i < count; ++i)
+        out.push_back(start +
+                      (stop - start) * static_cast<float>(i) / static_cast<float>(count - 1));
+    return out;
+}
+
+Image hdr_flip_map(const Image& reference, const Image& test) {
+    Image largest(reference.size, 1, Sample::f32);
+    const auto out = largest.as<float>();
+    const std::vector<float> exposures = flip_exposures(reference);
+    for (const float stops : exposures) {
+        const Image map = flip_map(exposed(reference, stops), exposed(test, stops));
+        const auto errors = map.as<float>();
+        for (std::size_t i = 0; i < out.size(); ++i) out[i] = std::max(out[i], errors[i]);
+    }
+    if (exposures.empty()) {
+        const auto values = test.as<float>();
+        for (std::size_t i = 0; i < out.size(); ++i)
+            out[i] = values[i * 4] + values[i * 4 + 1] + values[i * 4 + 2] > 0.0F ? 1.0F : 0.0F;
+    }
+    return largest;
+}
+
+double mean_of(const Image& map) {
+    double sum = 0.0;
+    for (const float value : map.as<float>()) sum += static_cast<double>(value);
+    return map.bytes.empty() ? 0.0 : sum / static_cast<double>(map.as<float>().size());
 }
 
 }  // namespace facet::image

@@ -36,7 +36,7 @@ base::Result<image::Image> compare_displayed(const image::Image& raster,
     const image::Picture a = picture_of(raster);
     const image::Picture b = picture_of(reference);
     const auto covered = image::compare(a, b, {.pixels = image::Pixels::covered});
-    const auto whole = image::compare(a, b);
+    const auto whole = image::compare(b, a, {.heat = image::Heat::flip});
     if (!whole) return tl::unexpected(whole.error());
     // Where nothing is covered there is nothing but background, and that is compared.
     const image::Difference& d = covered ? *covered : *whole;

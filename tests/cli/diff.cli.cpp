@@ -53,15 +53,38 @@ TEST_F(Diff, BeyondABoundIsStatus1AndSaysWhich) {
     EXPECT_EQ(facet({"diff", a, b, "--max-rmse", "0.21"}).exit, 0);
     const Ran ran = facet({"diff", a, b, "--max-rmse", "0.19"});
     EXPECT_EQ(ran.exit, 1);
-    EXPECT_NE(ran.out.find("rmse  0.200000  beyond 0.19"), std::string::npos) << ran.out;
+    EXPECT_NE(ran.out.find("rmse    0.200000  beyond 0.19"), std::string::npos) << ran.out;
     EXPECT_EQ(facet({"diff", a, b, "--max-error", "0.19"}).exit, 1);
     EXPECT_EQ(facet({"diff", a, b, "--min-psnr", "15"}).exit, 1);
     EXPECT_EQ(facet({"diff", a, b, "--min-psnr", "13"}).exit, 0);
 }
 TEST_F(Diff, WritesAHeatMapOfTheSameSize) {
     const auto heat = (folder / "heat.png").string();
-    ASSERT_EQ(facet({"diff", gray("a.png", 0), gray("b.png", 255), "-o", heat}).exit, 0);
+    const auto a = gray("a.png", 0);
+    const auto b = gray("b.png", 255);
+    ASSERT_EQ(facet({"diff", a, b, "-o", heat, "--heat", "error"}).exit, 0);
     EXPECT_EQ(facet({"diff", heat, gray("white.png", 255), "--max-rmse", "0"}).exit, 0);
+    ASSERT_EQ(facet({"diff", a, b, "-o", heat}).exit,
+              0);  // FLIP: pale yellow at its end, dark where equal
+    EXPECT_EQ(facet({"diff", heat, gray("white.png", 255), "--min-psnr", "10"}).exit, 0);
+    ASSERT_EQ(facet({"diff", a, a, "-o", heat}).exit, 0);
+    EXPECT_EQ(facet({"diff", heat, a, "--max-rmse", "0.01"}).exit, 0);
+    EXPECT_EQ(facet({"diff", a, b, "-o", heat, "--heat", "hot"}).exit, 2);
+}
+TEST_F(Diff, SaysWhichFlipAndTheRelativeMse) {
+    const auto ldr = numbers(facet({"diff", gray("a.png", 0), gray("b.png", 255), "--json"}));
+    EXPECT_EQ(ldr["flip_kind"], "ldr");
+    EXPECT_NEAR(ldr["rel_mse"].get<double>(), 1.0 / 0.01, 1e-6);  // (0 - 1)^2 / (0^2 + 0.01)
+    image::Image radiance({16, 8}, 3, image::Sample::f32);
+    for (float& value : radiance.as<float>()) value = 2.0F;
+    const auto hdr = folder / "a.hdr";
+    const auto bytes =
+        image::encode(radiance, {.format = tables::ImageFormat::hdr, .metadata = {}});
+    ASSERT_TRUE(bytes && base::write_file_atomically(hdr, *bytes));
+    const auto same = numbers(facet({"diff", hdr.string(), hdr.string(), "--json"}));
+    EXPECT_EQ(same["flip_kind"], "hdr");
+    EXPECT_EQ(same["flip"], 0.0);
+    EXPECT_EQ(facet({"diff", gray("a.png", 0), gray("b.png", 9), "--max-rel-mse", "1e-9"}).exit, 1);
 }
 TEST_F(Diff, OfDifferentSizesOrNoPicturesIsStatus3) {
     const auto a = gray("a.png", 1);

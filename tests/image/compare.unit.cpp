@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "image/compare.h"
 
+#include "image/flip.h"
 #include "math/color.h"
 #include "support/image_samples.h"
 
@@ -145,6 +146,48 @@ TEST(Flip, of_two_plain_grays_is_the_squeezed_lightness_difference) {
     ASSERT_TRUE(d);
     const double knee = 0.4 * std::pow(203.3, 0.7);
     EXPECT_NEAR(d->flip.value(), error < knee ? 0.95 * error / knee : 0.95, 0.01);
+}
+
+/// Radiance of one value, and one pixel of another.
+Image radiance(float nit, float lone) {
+    Image out({48, 32}, 4, Sample::f32);
+    const auto v = out.as<float>();
+    for (std::size_t i = 0; i < v.size(); ++i) v[i] = i % 4 == 3 ? 1.0F : nit;
+    for (std::size_t c = 0; c < 3; ++c) v[(16 * 48 + 24) * 4 + c] = lone;
+    return out;
+}
+
+// The curve is 0.85 where 2.51 x^2 + ... is: solved here by bisection, not by the quadratic's
+// formula.
+TEST(HdrFlip, ExposuresShowTheBrightestAndTheMedianAtEightyFivePercent) {
+    const auto stops = flip_exposures(radiance(0.5F, 64.0F));
+    ASSERT_EQ(stops.size(), 7U);  // log2(64 / 0.5), a stop apart or less
+    float low = 0.0F;
+    float high = 100.0F;
+    for (int i = 0; i < 60; ++i) {
+        const float x = 0.5F * (low + high);
+        const float y =
+            0.6F * x * (2.51F * 0.6F * x + 0.03F) / (0.6F * x * (2.43F * 0.6F * x + 0.59F) + 0.14F);
+        (y < 0.85F ? low : high) = x;
+    }
+    EXPECT_NEAR(std::exp2(stops.front()) * 64.0F, low, 1e-3F * low);
+    EXPECT_NEAR(std::exp2(stops.back()) * 0.5F, low, 1e-3F * low);
+}
+
+TEST(HdrFlip, IsZeroForEqualPicturesAndFindsWhatOneExposureHides) {
+    const Image a = radiance(0.5F, 64.0F);
+    EXPECT_EQ(mean_of(hdr_flip_map(a, a)), 0.0);
+    // 64 and 32 nit are both white where 0.5 is exposed for: only a short exposure tells them
+    // apart.
+    const Image b = radiance(0.5F, 32.0F);
+    EXPECT_GT(mean_of(hdr_flip_map(a, b)), 1e-4);
+}
+
+TEST(HdrFlip, OfABlackReferenceIsOneWhereTheOtherIsNot) {
+    const Image black = radiance(0.0F, 0.0F);
+    EXPECT_EQ(mean_of(hdr_flip_map(black, black)), 0.0);
+    EXPECT_NEAR(mean_of(hdr_flip_map(black, radiance(0.0F, 1.0F))), 1.0 / (48 * 32), 1e-9);
+    EXPECT_TRUE(flip_exposures(black).empty());
 }
 
 }  // namespace
