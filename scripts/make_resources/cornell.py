@@ -148,8 +148,9 @@ def build(copyright_line):
     x, z = LAMP_HALF_M
     lamp = glb.add_material("lamp", (0.78, 0.78, 0.78), emissive_nit=LAMP_NIT)
     add_plain(glb, "lamp", [((-x, 1.998, z), (2 * x, 0, 0), (0, 0, -2 * z))], lamp)
-    # A stand-in for renderers that do not sample emitting meshes: the lamp's intensity straight
-    # down, area x radiance.
+    # A stand-in for renderers that do not sample emitting meshes, which the reference leaves out:
+    # the lamp's intensity straight down, area x radiance.
     peak = max(LAMP_NIT)
-    glb.add_point_light("lamp_point", (0, 1.9, 0), 4 * x * z * peak, [c / peak for c in LAMP_NIT])
+    tint = [c / peak for c in LAMP_NIT]
+    glb.add_point_light("lamp_point", (0, 1.9, 0), 4 * x * z * peak, tint, stands_in=True)
     return glb.to_bytes("cornell")

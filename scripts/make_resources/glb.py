@@ -194,12 +194,14 @@ class Glb:
             name, camera=camera, translation=[float(x) for x in eye], rotation=look_at(eye, target)
         )
 
-    def add_point_light(self, name, position, candela, color=(1, 1, 1)):
+    def add_point_light(self, name, position, candela, color=(1, 1, 1), stands_in=False):
         self._use("KHR_lights_punctual")
         lights = self.json.setdefault("extensions", {}).setdefault(
             "KHR_lights_punctual", {"lights": []}
         )["lights"]
         lights.append({"name": name, "type": "point", "color": list(color), "intensity": candela})
+        if stands_in:
+            lights[-1]["extras"] = {"facet": {"stands_in": True}}
         return self.add_node(
             name,
             translation=list(position),

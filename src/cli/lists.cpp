@@ -4,6 +4,7 @@
 
 #include "base/text.h"
 #include "base/thread_pool.h"
+#include "brdf/presets.h"
 #include "cli/scene_options.h"
 #include "scene/load.h"
 #include "tables/aovs.h"
@@ -65,6 +66,24 @@ Entries list_brdf(const std::string&) {
     return entries;
 }
 
+Entries list_presets(const std::string&) {
+    std::vector<Entry> entries;
+    for (const brdf::Preset& preset : brdf::presets()) {
+        const math::Vec3& c = preset.is_metal ? preset.f0 : math::Vec3(preset.ior);
+        entries.push_back(
+            {std::string(preset.name),
+             preset.is_metal
+                 ? fmt::format("metal, F0 {:.3f} {:.3f} {:.3f}, tint at 82 degrees {:.3f} {:.3f} "
+                               "{:.3f}{}; {}",
+                               c.x, c.y, c.z, preset.edge_tint.x, preset.edge_tint.y,
+                               preset.edge_tint.z, preset.is_clamped ? ", cut to Rec.709" : "",
+                               preset.source)
+                 : fmt::format("index {:g}, F0 {:.4f}; {}", preset.ior, preset.f0.x,
+                               preset.source)});
+    }
+    return entries;
+}
+
 Result<scene::Scene> scene_of(const std::string& path, std::string_view what) {
     if (path.empty())
         return base::fail({.code = base::ErrorCode::usage,
@@ -101,7 +120,8 @@ struct Listing {
 constexpr Listing listings[] = {{"scenes", list_scenes},     {"environments", list_environments},
                                 {"cameras", list_cameras},   {"materials", list_materials},
                                 {"lights", list_lights},     {"aovs", list_aovs},
-                                {"tonemaps", list_tonemaps}, {"brdf", list_brdf}};
+                                {"tonemaps", list_tonemaps}, {"brdf", list_brdf},
+                                {"presets", list_presets}};
 
 std::vector<std::string> names() {
     std::vector<std::string> out;

@@ -97,6 +97,9 @@ struct Light {
     float radius_m = 0.1F;  ///< sphere, disk, tube
     float width_m = 1.0F;   ///< rect and tube, along axes().x
     float height_m = 1.0F;  ///< rect, along axes().y
+    /// Gives the light of a mesh that emits, for renderers that do not draw from meshes: the
+    /// reference leaves it out.
+    bool stands_in = false;
 };
 /// The axes of a light with a size: x is level, z is where it shines to; orthonormal, right-handed.
 struct LightAxes {

@@ -5,6 +5,7 @@
 #include "scene/scene.h"
 #include "trace/environment_light.h"
 #include "trace/geometry.h"
+#include "trace/light_shapes.h"
 #include "trace/surface.h"
 #include "trace/textures.h"
 
@@ -19,23 +20,12 @@ namespace facet::trace {
     return 1.0F / (1.0F + ratio * ratio);
 }
 
-/// One way to light a point.
-struct LightSample {
-    math::Vec3 direction{0.0F};  ///< unit, to the light
-    float distance_m = 0.0F;
-    math::Vec3 light{0.0F};  ///< lux at normal incidence of a light without a size, else nit
-    float pdf = 0.0F;        ///< 1/sr of a light with a size; 0: nothing to light with
-    bool has_size = false;
-};
-
 class Lights {
 public:
     /// Everything outlives this.
     Lights(const scene::Scene& scene, const Textures& textures);
     /// Listed lights, and one for all meshes that emit.
-    [[nodiscard]] std::size_t count() const {
-        return scene_->lights.size() + (emitters_.empty() ? 0 : 1);
-    }
+    [[nodiscard]] std::size_t count() const { return lights_.size() + (emitters_.empty() ? 0 : 1); }
 
     /// A light to draw from; the last of count() is the meshes that emit.
     struct Choice {
@@ -80,6 +70,7 @@ private:
 
     const scene::Scene* scene_;
     const Textures* textures_;
+    std::vector<scene::Light> lights_;    ///< the scene's, without those that stand in for a mesh
     std::vector<scene::LightAxes> axes_;  ///< by light
     bool any_with_size_ = false;
     std::vector<Emitter> emitters_;

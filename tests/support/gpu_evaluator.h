@@ -27,8 +27,18 @@ public:
     base::Result<std::vector<math::Vec4>> evaluate(const tables::BrdfChoice& choice,
                                                    const std::string& statements,
                                                    const std::vector<GpuRow>& rows) {
+        const auto text = brdf::glsl_text(choice, brdf::Parts::sampling);
+        if (!text) return tl::unexpected(text.error());
+        return evaluate_text(*text, choice, statements, rows);
+    }
+
+    /// The same with other GLSL than the choice's in reach.
+    base::Result<std::vector<math::Vec4>> evaluate_text(const std::string& text,
+                                                        const tables::BrdfChoice& choice,
+                                                        const std::string& statements,
+                                                        const std::vector<GpuRow>& rows) {
         if (!gl_) return tl::unexpected(gl_.error());
-        const auto program = compile(choice, statements);
+        const auto program = compile_text(text, statements);
         if (!program) return tl::unexpected(program.error());
         const math::Extent size{static_cast<std::uint32_t>(rows.size()), 1};
         std::vector<math::Vec4> p;
@@ -67,9 +77,14 @@ public:
     /// Errors: the driver's, at the GLSL's own file and line.
     base::Result<gl::Program> compile(const tables::BrdfChoice& choice,
                                       const std::string& statements) {
-        if (!gl_) return tl::unexpected(gl_.error());
         const auto text = brdf::glsl_text(choice, brdf::Parts::sampling);
         if (!text) return tl::unexpected(text.error());
+        return compile_text(*text, statements);
+    }
+
+private:
+    base::Result<gl::Program> compile_text(const std::string& text, const std::string& statements) {
+        if (!gl_) return tl::unexpected(gl_.error());
         const std::string main =
             "#include \"generated/brdf.glsl\"\nuniform sampler2D p_rows;\nuniform sampler2D "
             "q_rows;\n"
@@ -79,7 +94,7 @@ public:
             "vec4 q = texelFetch(q_rows, ivec2(gl_FragCoord.xy), 0);\n" +
             statements + "}\n";
         const gl::ShaderSources sources{FACET_SOURCE_DIR "/glsl",
-                                        {{"generated/brdf.glsl", *text}, {"test.frag", main}}};
+                                        {{"generated/brdf.glsl", text}, {"test.frag", main}}};
         auto program =
             gl::build_program(*gl_, sources, {"frame/full_screen.vert", "test.frag", ""});
         if (!program) return program;
@@ -89,7 +104,6 @@ public:
         return program;
     }
 
-private:
     base::Result<gl::Texture> texture(math::Extent size, std::span<const std::byte> bytes) {
         const gl::TextureSpec spec{.format = GL_RGBA32F, .size = size};
         auto made = gl::make_texture(*gl_, spec);

@@ -73,6 +73,12 @@ void place_light(Import& import, std::uint32_t node_index, const Mat4& world_fro
         to.color = Vec3(static_cast<float>(from.color[0]), static_cast<float>(from.color[1]),
                         static_cast<float>(from.color[2]));
     to.intensity = static_cast<float>(from.intensity);
+    if (const Json* const lights =
+            find_path(import.asset.json, "extensions/KHR_lights_punctual/lights");
+        lights != nullptr && *index < lights->size()) {
+        const Json* const stands_in = find_path((*lights)[*index], "extras/facet/stands_in");
+        to.stands_in = stands_in != nullptr && *stands_in == true;
+    }
     to.position_m = Vec3(world_from_node[3]);
     to.direction = -unit_or(Vec3(world_from_node[2]), Vec3(0.0F, 0.0F, 1.0F));
     to.range_m = static_cast<float>(from.range);
