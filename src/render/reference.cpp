@@ -63,6 +63,7 @@ base::Result<Reference> trace_reference(const Session& session, const Request& r
          .env_rotation_deg = request.settings.env_rotation,
          .env_intensity = request.settings.env_intensity,
          .shows_environment = plan.background.kind == frame::BackgroundKind::environment,
+         .background_blur = plan.background.blur,
          .brdf = plan.brdf},
         plan.limits, pool);
     if (!tracer) return tl::unexpected(tracer.error());

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "trace/path.h"
 
+#include "brdf/light_terms.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -77,10 +79,28 @@ private:
 
     void add_environment() {
         if (from_camera() && !world_.shows_environment) return;
-        const EnvironmentLight::Light light = world_.environment.at(ray_.direction);
+        const bool blurs = from_camera() && world_.blur > 0.0F;
+        const EnvironmentLight::Light light =
+            world_.environment.at(blurs ? blurred(ray_.direction) : ray_.direction);
         if (from_camera()) out_.coverage = 1.0F;
         const float share = from_camera() || mirrored_ ? 1.0F : power_share(pdf_, light.pdf);
         out_.radiance_nit += throughput_ * light.radiance_nit * share;
+    }
+
+    /// A direction of the lobe that the prefiltered environment has along `axis`: light that a
+    /// facet reflects to a viewer on the axis, weighted with its cosine (Karis 2013, "Real Shading
+    /// in Unreal Engine 4", p. 4).
+    Vec3 blurred(const Vec3& axis) {
+        const Vec3 x = brdf::LightTerms<float>{}.across(axis);
+        const Vec3 y = math::cross(axis, x);
+        constexpr int most_tries = 16;  // a lobe of roughness 1 keeps one draw in two
+        for (int i = 0; i < most_tries; ++i) {
+            const Vec3 h = Lobes{}.sample_ggx({0.0F, 0.0F, 1.0F}, world_.blur * world_.blur,
+                                              sequence_.next_pair());
+            const Vec3 l(2.0F * h.z * h.x, 2.0F * h.z * h.y, 2.0F * h.z * h.z - 1.0F);
+            if (sequence_.next() < l.z) return x * l.x + y * l.y + axis * l.z;
+        }
+        return axis;
     }
 
     void add_emission(const Hit& hit, const Surface& surface) {

@@ -22,6 +22,8 @@ struct World {
     const EnvironmentLight& environment;
     const Model& model;
     bool shows_environment = false;  ///< where the camera sees no surface
+    float blur =
+        0.0F;  ///< of the environment there: a GGX lobe of this roughness, as the rasteriser's
     std::uint32_t bounce_limit = 64;
 };
 

@@ -120,9 +120,16 @@ struct Tracer::Impl {
     double build_s = 0.0;
 
     [[nodiscard]] World world(std::uint32_t bounces) const {
-        return {inputs.scene, frames,      textures, *geometry,
-                lights,       environment, model,    inputs.shows_environment,
-                bounces};
+        return {.scene = inputs.scene,
+                .frames = frames,
+                .textures = textures,
+                .geometry = *geometry,
+                .lights = lights,
+                .environment = environment,
+                .model = model,
+                .shows_environment = inputs.shows_environment,
+                .blur = inputs.background_blur,
+                .bounce_limit = bounces};
     }
 };
 

@@ -26,6 +26,8 @@ struct TraceInputs {
     float env_rotation_deg = 0.0F;
     float env_intensity = 1.0F;
     bool shows_environment = true;  ///< where no surface is; else nothing, of coverage 0
+    float background_blur =
+        0.0F;  ///< of the environment shown: roughness of the lobe it is seen through, [0, 1]
     tables::BrdfChoice brdf;
 };
 

@@ -252,5 +252,32 @@ TEST(Reference, AnEmptySceneIsItsBackground) {
     EXPECT_EQ(shown.w, 1.0F);
 }
 
+// Where the environment is alike all around, however blurred it is itself; of a half sky, the
+// horizon blurs.
+TEST(Reference, ABlurredBackgroundKeepsItsMeanAndSoftensItsEdges) {
+    auto halves = std::make_shared<image::Image>(math::Extent{256, 128}, 3, image::Sample::f32);
+    const auto values = halves->as<float>();
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = i < values.size() / 2 ? 1.0F : 0.0F;
+    base::ThreadPool pool;
+    const scene::Environment environment{"test", halves};
+    scene::Camera camera = camera_on_z(0.0F, 1.0F);
+    camera.projection = scene::Projection::perspective;
+    camera.yfov_rad = 1.5F;
+    camera.far_m = 0.0F;
+    const scene::Scene nothing;
+    const auto tracer = trace::Tracer::create({.scene = nothing,
+                                               .environment = environment,
+                                               .camera = camera,
+                                               .background_blur = 0.5F,
+                                               .brdf = {}},
+                                              {}, pool);
+    ASSERT_TRUE(tracer);
+    const auto out = tracer->trace({.picture = {32, 32}, .size = {32, 32}, .samples = 256}, pool);
+    EXPECT_NEAR(mean(out.radiance).x, 0.5F, 5e-3F);
+    const float above = pixel(out.radiance, 16, 12).x;
+    EXPECT_GT(above, 0.55F);
+    EXPECT_LT(above, 0.95F);
+}
+
 }  // namespace
 }  // namespace facet::test
