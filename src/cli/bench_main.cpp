@@ -139,12 +139,14 @@ Status measure_suite(Options options, facet::base::Log& log) {
     if (!suite.is_array())
         return facet::base::fail(
             {.code = ErrorCode::input_invalid, .file = file.string(), .what = "not a list"});
+    const std::uint32_t frames = options.frames;
     for (const auto& entry : suite) {
         options.scene = entry.value("scene", "builtin:showcase");
         options.size = entry.value("size", "1280x720");
         options.lights = entry.value("lights", 0U);
         options.camera = entry.value("camera", "auto");
         options.reference = entry.value("reference", "");
+        options.frames = entry.value("frames", frames);
         if (auto measured = measure(options, log); !measured) return measured;
     }
     return {};

@@ -19,11 +19,10 @@ constexpr double line_every_s = 5.0;
 constexpr int bar_width = 24;
 
 std::string time_left(double seconds) {
-    if (seconds < 60.0) return fmt::format("{:.0f} s left", seconds);
-    const auto minutes = static_cast<long long>(seconds / 60.0);
-    if (minutes < 60)
-        return fmt::format("{} min {:02.0f} s left", minutes,
-                           seconds - 60.0 * static_cast<double>(minutes));
+    const auto whole = static_cast<long long>(seconds + 0.5);
+    if (whole < 60) return fmt::format("{} s left", whole);
+    const long long minutes = whole / 60;
+    if (minutes < 60) return fmt::format("{} min {:02} s left", minutes, whole % 60);
     return fmt::format("{} h {:02} min left", minutes / 60, minutes % 60);
 }
 

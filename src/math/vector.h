@@ -51,6 +51,14 @@ struct Bounds {
     [[nodiscard]] float diagonal() const noexcept { return is_empty() ? 0.0F : length(high - low); }
 };
 
+/// Turns normals as `m` turns surfaces, by the cofactors: right for any scale, also where the
+/// inverse does not exist. Not normalised.
+[[nodiscard]] inline Mat3 normal_matrix(const Mat3& m) {
+    const float handedness = dot(cross(m[0], m[1]), m[2]) < 0.0F ? -1.0F : 1.0F;
+    return {cross(m[1], m[2]) * handedness, cross(m[2], m[0]) * handedness,
+            cross(m[0], m[1]) * handedness};
+}
+
 /// Unit direction towards (azimuth, elevation): azimuth 0 is +z, 90 is +x; elevation 90 is +y
 /// (contract).
 [[nodiscard]] inline Vec3 direction_from(float azimuth_deg, float elevation_deg) {

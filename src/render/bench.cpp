@@ -155,9 +155,12 @@ base::Result<ReferenceBenchResult> bench_reference(const BenchRequest& request) 
     double reached = 0.0;
     for (scene::Light& light : local_lights(job->scene, request, reached))
         job->scene.lights.push_back(std::move(light));
-    const auto tracer = trace::Tracer::create(
-        {job->scene, job->environment, job->camera, 0.0F, 1.0F, false, plan->brdf}, plan->limits,
-        pool);
+    const auto tracer = trace::Tracer::create({.scene = job->scene,
+                                               .environment = job->environment,
+                                               .camera = job->camera,
+                                               .shows_environment = false,
+                                               .brdf = plan->brdf},
+                                              plan->limits, pool);
     if (!tracer) return tl::unexpected(tracer.error());
     ReferenceBenchResult result{
         .size = plan->picture, .threads = pool.thread_count(), .samples = plan->reference->samples};

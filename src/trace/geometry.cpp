@@ -76,6 +76,21 @@ void filter_shadow(const RTCFilterFunctionNArguments* arguments) {
     if (context.transmittance > nothing) arguments->valid[0] = 0;
 }
 
+RTCRay embree_ray(const Ray& ray) {
+    return {.org_x = ray.origin.x,
+            .org_y = ray.origin.y,
+            .org_z = ray.origin.z,
+            .tnear = ray.near_m,
+            .dir_x = ray.direction.x,
+            .dir_y = ray.direction.y,
+            .dir_z = ray.direction.z,
+            .time = 0.0F,
+            .tfar = ray.far_m,
+            .mask = ~0U,
+            .id = 0,
+            .flags = 0};
+}
+
 base::Error embree_error(RTCDevice device) {
     const RTCError code = rtcGetDeviceError(device);
     if (code == RTC_ERROR_OUT_OF_MEMORY)
@@ -168,19 +183,7 @@ bool Geometry::intersect(const Ray& ray, Viewer viewer, Hit& hit) const {
         impl_->context(viewer == Viewer::camera ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT
                                                 : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT);
     context.culls = viewer == Viewer::camera;
-    RTCRayHit query{};
-    query.ray = {.org_x = ray.origin.x,
-                 .org_y = ray.origin.y,
-                 .org_z = ray.origin.z,
-                 .tnear = ray.near_m,
-                 .dir_x = ray.direction.x,
-                 .dir_y = ray.direction.y,
-                 .dir_z = ray.direction.z,
-                 .time = 0.0F,
-                 .tfar = ray.far_m,
-                 .mask = ~0U,
-                 .id = 0,
-                 .flags = 0};
+    RTCRayHit query{.ray = embree_ray(ray), .hit = {}};
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
     rtcIntersect1(impl_->embree.get(), &context.embree, &query);
@@ -192,18 +195,7 @@ bool Geometry::intersect(const Ray& ray, Viewer viewer, Hit& hit) const {
 
 float Geometry::transmittance(const Ray& ray) const {
     Context context = impl_->context(RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT);
-    RTCRay query{.org_x = ray.origin.x,
-                 .org_y = ray.origin.y,
-                 .org_z = ray.origin.z,
-                 .tnear = ray.near_m,
-                 .dir_x = ray.direction.x,
-                 .dir_y = ray.direction.y,
-                 .dir_z = ray.direction.z,
-                 .time = 0.0F,
-                 .tfar = ray.far_m,
-                 .mask = ~0U,
-                 .id = 0,
-                 .flags = 0};
+    RTCRay query = embree_ray(ray);
     rtcOccluded1(impl_->embree.get(), &context.embree, &query);
     return query.tfar < 0.0F ? 0.0F : context.transmittance;
 }

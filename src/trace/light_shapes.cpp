@@ -27,9 +27,9 @@ Vec3 illuminance(const Light& light, const Vec3& to_light, float distance2) {
         light.range_m > 0.0F ? 1.0F / (light.range_m * light.range_m) : 0.0F;
     Vec3 lux = terms.light_point(light.color * light.intensity, distance2, inverse_range2);
     if (light.kind == LightKind::spot) {
-        const float cos_outer = std::cos(light.outer_cone_rad);
-        const float scale = 1.0F / std::max(0.001F, std::cos(light.inner_cone_rad) - cos_outer);
-        lux *= terms.light_spot(-math::dot(to_light, light.direction), scale, -cos_outer * scale);
+        const Vec2 edge =
+            terms.spot_edge(std::cos(light.inner_cone_rad), std::cos(light.outer_cone_rad));
+        lux *= terms.light_spot(-math::dot(to_light, light.direction), edge.x, edge.y);
     }
     return lux;
 }

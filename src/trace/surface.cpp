@@ -136,7 +136,6 @@ std::vector<InstanceFrame> instance_frames(const scene::Scene& scene) {
     frames.reserve(scene.instances.size());
     for (const scene::Instance& instance : scene.instances) {
         const Mat3 m(instance.world_from_object);
-        const float handedness = math::dot(math::cross(m[0], m[1]), m[2]) < 0.0F ? -1.0F : 1.0F;
         // What cancels in M p + t has been as large as |M| |p| + |t|; sixteen roundings of that
         // bound the error of the corners, of the sum over them, and of Embree's plane.
         const math::Bounds& box = scene.meshes[instance.mesh.index].bounds_m;
@@ -144,10 +143,7 @@ std::vector<InstanceFrame> instance_frames(const scene::Scene& scene) {
         const Vec3 sum = glm::abs(m[0]) * largest.x + glm::abs(m[1]) * largest.y +
                          glm::abs(m[2]) * largest.z + glm::abs(Vec3(instance.world_from_object[3]));
         constexpr float roundings = 16.0F * 1.1920929e-7F;
-        frames.push_back(
-            {Mat3(math::cross(m[1], m[2]) * handedness, math::cross(m[2], m[0]) * handedness,
-                  math::cross(m[0], m[1]) * handedness),
-             std::max({sum.x, sum.y, sum.z}) * roundings});
+        frames.push_back({math::normal_matrix(m), std::max({sum.x, sum.y, sum.z}) * roundings});
     }
     return frames;
 }

@@ -95,6 +95,17 @@ std::vector<Sampler> samplers(const Dir& v, double roughness, std::vector<Lobe>&
     all.push_back({"cosine", true,
                    [=](Lobe::real2 u, double) { return plain->slot_sample_diffuse(u); },
                    [=](const Dir& l) { return l.z > 0 ? plain->slot_pdf_diffuse(l.z) : 0.0; }});
+    all.push_back({"uniform", true, [=](Lobe::real2 u, double) { return plain->sample_uniform(u); },
+                   [=](const Dir& l) { return plain->pdf_uniform(l.z); }});
+    const Lobe::real2 widths(alpha, std::min(1.0, 2.5 * alpha));
+    all.push_back({"anisotropic", true,
+                   [=](Lobe::real2 u, double) {
+                       return reflected(plain->sample_ggx_anisotropic(v, widths, u));
+                   },
+                   [=](const Dir& l) {
+                       const Dir h = half(l);
+                       return h.z > 0 ? plain->pdf_ggx_anisotropic(v, h, widths) : 0.0;
+                   }});
     const auto split = split_sum({}, v.z, roughness);
     const auto view = plain->brdf_view(plain->brdf_surface(Dir(0.8, 0.4, 0.1), 0.3, roughness), v.z,
                                        {split.a, split.b, average_albedo({}, roughness), 1.0});

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "frame/lighting/light_lists.h"
 
+#include "brdf/light_terms.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -19,10 +21,10 @@ void push(std::vector<Vec4>& texels, const scene::Light& light) {
     float scale = 0.0F;
     float offset = 1.0F;
     if (light.kind == tables::LightKind::spot) {
-        // KHR_lights_punctual, "Inner and Outer Cone Angles": the reference code's epsilon.
-        const float cos_outer = std::cos(light.outer_cone_rad);
-        scale = 1.0F / std::max(0.001F, std::cos(light.inner_cone_rad) - cos_outer);
-        offset = -cos_outer * scale;
+        const Vec2 edge = brdf::LightTerms<float>{}.spot_edge(std::cos(light.inner_cone_rad),
+                                                              std::cos(light.outer_cone_rad));
+        scale = edge.x;
+        offset = edge.y;
     }
     texels.emplace_back(light.position_m, inverse_range2);
     texels.emplace_back(light.color * light.intensity, scale);

@@ -35,22 +35,12 @@ gl::SamplerSpec sampler_spec(const scene::Texture& texture, bool trilinear) {
             .wrap_t = gl_wrap(texture.wrap_v)};
 }
 
-/// Normals turn by the cofactors: right for any scale, also where the inverse does not exist.
-Mat4 normal_matrix(const Mat4& m) {
-    const Vec3 x(m[0]);
-    const Vec3 y(m[1]);
-    const Vec3 z(m[2]);
-    const float handedness = math::dot(math::cross(x, y), z) < 0.0F ? -1.0F : 1.0F;
-    return Mat4(Mat3(math::cross(y, z) * handedness, math::cross(z, x) * handedness,
-                     math::cross(x, y) * handedness));
-}
-
 shared::Draw block_of(const scene::Instance& instance, const scene::Material& material,
                       std::uint32_t material_index) {
     const tables::MaterialValues& v = material.values;
     shared::Draw block{};
     block.world_from_object = instance.world_from_object;
-    block.normal_from_object = normal_matrix(instance.world_from_object);
+    block.normal_from_object = Mat4(math::normal_matrix(Mat3(instance.world_from_object)));
     block.base_color_opacity =
         Vec4(v.base_color, material.alpha_mode == scene::AlphaMode::opaque ? 1.0F : v.opacity);
     block.metallic_roughness_normal_ao = {v.metallic, v.roughness, v.normal_scale, v.ao_strength};
