@@ -24,7 +24,10 @@ std::string lights() {
         "azimuth 0 is light from +z, 90 from +x; elevation 90 from above. Degrees, metres; vectors "
         "as \"x y z\".\n"
         "color is #rrggbb or \"r g b\" linear; temperature is in kelvin. inner and outer are half "
-        "angles of a cone.\n\n";
+        "angles of a cone.\n";
+    out +=
+        "Kinds with a size (nit) are traced by --reference; the rasteriser does not have them "
+        "yet.\n\n";
     for (const auto& row : tables::light_kinds)
         out += fmt::format("{:<12} {} Unit: {}.\n{:<12} keys: {}\n", row.key, row.help, row.unit,
                            "", row.keys);

@@ -216,10 +216,13 @@ base::Status plan_machine(const tables::Settings& settings, Plan& plan) {
 /// display 8, and what is read back of them.
 constexpr std::uint64_t frame_bytes = 80;
 constexpr std::uint64_t aov_bytes = 48;  // target, read-back and layer
+constexpr std::uint64_t film_bytes =
+    96;  // sums, their mean, and its copies for the GL and the file
 
 base::Status check_memory(const tables::Settings& settings, Plan& plan) {
     const std::uint64_t pixels = plan.region.size.pixels();
-    const std::uint64_t needed = pixels * (frame_bytes + aov_bytes * plan.aovs.size());
+    const std::uint64_t needed =
+        pixels * (frame_bytes + aov_bytes * plan.aovs.size() + (plan.reference ? film_bytes : 0));
     if (needed <= plan.limits.memory_bytes) return {};
     return base::fail({.code = ErrorCode::limit_reached,
                        .file = "--size",

@@ -177,12 +177,18 @@ base::Result<Rendered> render_to_file(const Request& request, const fs::path& ou
     if (auto allowed = check_result(request, output, *rendered); !allowed)
         return tl::unexpected(allowed.error());
     const auto start = std::chrono::steady_clock::now();
-    const image::WriteOptions options{
+    image::WriteOptions options{
         .format = *format,
         .depth = *depth,
         .metadata = {{"Software", "Facet"},
                      {"facet.exposure", fmt::format("{}", rendered->exposure)}},
         .fast = request.settings.quality == "draft"};
+    if (rendered->reference) {
+        options.metadata.emplace_back("facet.reference", request.settings.reference);
+        options.metadata.emplace_back("facet.samples",
+                                      fmt::format("{}", rendered->reference->samples));
+        options.metadata.emplace_back("facet.seed", fmt::format("{}", request.settings.seed));
+    }
     const auto bytes = encode(*rendered, options);
     if (!bytes) return tl::unexpected(base::in_file(bytes.error(), output.string()));
     if (!row.layers)

@@ -40,9 +40,9 @@ const scene::Material& material_of(const scene::Scene& scene, std::uint32_t inst
     return scene.materials[mesh.material.index];
 }
 
-float opacity(const Context& context, const RTCHit& hit) {
-    return opacity_at(*context.scene, *context.textures,
-                      {.instance = hit.geomID, .triangle = hit.primID, .u = hit.u, .v = hit.v});
+float coverage(const Context& context, const RTCHit& hit) {
+    return coverage_at(*context.scene, *context.textures,
+                       {.instance = hit.geomID, .triangle = hit.primID, .u = hit.u, .v = hit.v});
 }
 
 Vec3 normal_of(const RTCHit& hit) { return {hit.Ng_x, hit.Ng_y, hit.Ng_z}; }
@@ -55,8 +55,7 @@ void filter_hit(const RTCFilterFunctionNArguments* arguments) {
     const scene::Material& material = material_of(*context.scene, hit.geomID);
     const bool back = math::dot(normal_of(hit), Vec3(ray.dir_x, ray.dir_y, ray.dir_z)) > 0.0F;
     if (context.culls && back && !material.double_sided) arguments->valid[0] = 0;
-    if (material.alpha_mode == scene::AlphaMode::mask &&
-        opacity(context, hit) < material.values.alpha_cutoff)
+    if (material.alpha_mode == scene::AlphaMode::mask && coverage(context, hit) == 0.0F)
         arguments->valid[0] = 0;
 }
 
@@ -66,12 +65,7 @@ void filter_shadow(const RTCFilterFunctionNArguments* arguments) {
     const auto& hit = *reinterpret_cast<const RTCHit*>(arguments->hit);
     const scene::Material& material = material_of(*context.scene, hit.geomID);
     if (material.alpha_mode == scene::AlphaMode::opaque) return;
-    const float alpha = opacity(context, hit);
-    if (material.alpha_mode == scene::AlphaMode::mask) {
-        if (alpha < material.values.alpha_cutoff) arguments->valid[0] = 0;
-        return;
-    }
-    context.transmittance *= 1.0F - alpha;
+    context.transmittance *= 1.0F - coverage(context, hit);
     constexpr float nothing = 1e-3F;
     if (context.transmittance > nothing) arguments->valid[0] = 0;
 }

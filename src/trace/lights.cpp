@@ -135,7 +135,8 @@ LightSample Lights::sample_mesh(const Vec3& position_m, Vec2 u, float pick) cons
         normal = -normal;
     LightSample out = sample_area(to_place, normal, e.area_m2);
     out.pdf *= draw.share;
-    if (out.pdf > 0.0F) out.light = emission_at(*scene_, *textures_, at);
+    if (out.pdf > 0.0F)
+        out.light = emission_at(*scene_, *textures_, at) * coverage_at(*scene_, *textures_, at);
     return out;
 }
 
@@ -148,7 +149,7 @@ Vec3 Lights::met(const Ray& ray, float pdf, float total_weight) const {
         float own = 0.0F;
         const float distance =
             hit_shape(light, axes_[i], light.position_m - ray.origin, ray.direction, own);
-        if (distance <= 0.0F || distance > ray.far_m) continue;
+        if (distance <= ray.near_m || distance > ray.far_m) continue;
         const float chosen = chance(weight(light, ray.origin), total_weight);
         sum += light.color * (light.intensity * power_share(pdf, own * chosen));
     }

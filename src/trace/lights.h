@@ -40,10 +40,10 @@ public:
     [[nodiscard]] LightSample sample(const Choice& choice, const math::Vec3& position_m,
                                      math::Vec2 u, float pick) const;
 
-    /// Radiance of the lights with a size that a ray meets before `far_m`: all of them, as none
-    /// hides another. Each is weighted against sample(), which would have drawn that direction too,
-    /// by the power heuristic; `pdf` is the ray's own density, `total_weight` that of choose() at
-    /// its origin.
+    /// Radiance of the lights with a size that a ray meets between `near_m` and `far_m`: all of
+    /// them, as none hides another. Each is weighted against sample(), which would have drawn that
+    /// direction too, by the power heuristic; `pdf` is the ray's own density, `total_weight` that
+    /// of choose() at its origin.
     [[nodiscard]] math::Vec3 met(const Ray& ray, float pdf, float total_weight) const;
     /// Density with which sample() would have drawn the place of a mesh that emits, met by a ray at
     /// `hit`.

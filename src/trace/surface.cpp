@@ -188,6 +188,15 @@ float opacity_at(const scene::Scene& scene, const Textures& textures, const Hit&
     return std::clamp(base_color_opacity(mesh, material, corners, lookup).w, 0.0F, 1.0F);
 }
 
+float coverage_at(const scene::Scene& scene, const Textures& textures, const Hit& hit) {
+    const scene::Mesh& mesh = scene.meshes[scene.instances[hit.instance].mesh.index];
+    const scene::Material& material = scene.materials[mesh.material.index];
+    if (material.alpha_mode == scene::AlphaMode::opaque) return 1.0F;
+    const float opacity = opacity_at(scene, textures, hit);
+    if (material.alpha_mode == scene::AlphaMode::blend) return opacity;
+    return opacity < material.values.alpha_cutoff ? 0.0F : 1.0F;
+}
+
 Vec3 emission_factor(const scene::Scene& scene, const Hit& hit) {
     const scene::Mesh& mesh = scene.meshes[scene.instances[hit.instance].mesh.index];
     const tables::MaterialValues& v = scene.materials[mesh.material.index].values;

@@ -45,6 +45,10 @@ struct InstanceFrame {
 /// Coverage alone, from the finest level, for alpha tests.
 [[nodiscard]] float opacity_at(const scene::Scene& scene, const Textures& textures, const Hit& hit);
 
+/// Share of light that the surface takes there: 1 where it is opaque, 0 in a mask's hole, a blend's
+/// opacity.
+[[nodiscard]] float coverage_at(const scene::Scene& scene, const Textures& textures,
+                                const Hit& hit);
 /// Radiance emitted there, from the finest level, nit.
 [[nodiscard]] math::Vec3 emission_at(const scene::Scene& scene, const Textures& textures,
                                      const Hit& hit);

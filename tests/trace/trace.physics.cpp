@@ -206,6 +206,27 @@ TEST(Reference, HolesOfAMaskShowWhatIsBehindAndLightPassesThem) {
     EXPECT_EQ(mean(traced(shot).radiance), bare);
 }
 
+// A lamp with a hole: what is drawn from it and what rays meet must be the same lamp.
+TEST(Reference, HolesOfAMaskThatEmitsGiveNoLight) {
+    TraceShot shot{.scene = scene_of(quad(2.0F), material(Vec3(0.5F), 0.0F, 1.0F))};
+    scene::Material lamp = material(Vec3(0.0F), 0.0F, 1.0F);
+    lamp.alpha_mode = scene::AlphaMode::mask;
+    lamp.values.emissive = Vec3(1.0F);
+    lamp.values.emissive_strength = 10.0F;
+    lamp.double_sided = true;
+    shot.scene.materials.push_back(lamp);
+    shot.scene.meshes.push_back(quad(0.5F));
+    shot.scene.meshes.back().material = {1};
+    shot.scene.instances.push_back(
+        {.mesh = {1},
+         .world_from_object = glm::translate(math::Mat4(1.0F), Vec3(0, 0, 0.5F)),
+         .node = "lamp",
+         .object_id = 2});
+    EXPECT_GT(mean(traced(shot).radiance).x, 0.1F);
+    shot.scene.materials[1].values.opacity = 0.1F;
+    EXPECT_EQ(mean(traced(shot).radiance).x, 0.0F);
+}
+
 // Light falls through a sheet of opacity a, is reflected, and is seen through it again; the sheet
 // itself is black.
 TEST(Reference, ABlackSheetOfOpacityATakesItsShareOnTheWayInAndOut) {
