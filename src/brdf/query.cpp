@@ -62,7 +62,22 @@ double Queries::light_albedo(double n_dot_l, double roughness) {
     return values[below] * (1.0 - share) + values[below + 1] * share;
 }
 
+double Queries::mixed_specular(const QuerySurface& surface, const LightNode& at, double e_l) {
+    Lobe terms{choice_};
+    const double alpha = terms.slot_width(surface.roughness);
+    const Color f0(surface.f0 * (1.0 - surface.metallic) + surface.base * surface.metallic);
+    const double single =
+        terms.slot_distribution(at.n_dot_h, alpha) *
+        terms.slot_masking(surface.n_dot_v, at.n_dot_l, surface.roughness, alpha) *
+        terms.slot_fresnel(f0, Color(1.0), at.v_dot_h).x;
+    if (!terms.slot_conserves()) return single;
+    const ExactAlbedo& e = albedo(surface.n_dot_v, surface.roughness);
+    return single * terms.slot_multiscatter(f0, e.a + e.b).x +
+           terms.slot_added(f0, e.a, e.b, e.average).x * terms.slot_added_shape(e_l, e.average);
+}
+
 double Queries::lobe(QueryTerm term, const QuerySurface& surface, const LightNode& at, double e_l) {
+    if (term == QueryTerm::specular) return mixed_specular(surface, at, e_l);
     Lobe terms{choice_};
     auto s = terms.brdf_surface(Color(surface.base), surface.metallic, surface.roughness);
     s.dielectric_f0 = surface.f0;
@@ -97,6 +112,7 @@ double Queries::value(QueryTerm term, const QuerySurface& surface, const LightNo
                 .x;
         case QueryTerm::specular:
         case QueryTerm::full:
+        case QueryTerm::model_specular:
             break;
     }
     const bool needs_e_l = choice_.multiscatter == tables::Multiscatter::kulla_conty;
@@ -105,7 +121,8 @@ double Queries::value(QueryTerm term, const QuerySurface& surface, const LightNo
 
 double Queries::value(QueryTerm term, const QuerySurface& surface, double n_dot_l, double phi_deg) {
     const LightNode at = cosines_of(surface.n_dot_v, n_dot_l, phi_deg);
-    const bool is_lobe = term == QueryTerm::specular || term == QueryTerm::full;
+    const bool is_lobe =
+        term == QueryTerm::specular || term == QueryTerm::full || term == QueryTerm::model_specular;
     if (!is_lobe || choice_.multiscatter != tables::Multiscatter::kulla_conty)
         return value(term, surface, at);
     const ExactAlbedo& at_light = albedo(n_dot_l, surface.roughness);
@@ -131,10 +148,10 @@ Reflectance reflectance(Queries& queries, const QuerySurface& surface) {
     const ReflectanceNodes nodes = reflectance_nodes(queries.choice(), held);
     Reflectance out;
     for (const LightNode& node : nodes.specular)
-        out.specular += node.weight * queries.value(QueryTerm::specular, held, node);
+        out.specular += node.weight * queries.value(QueryTerm::model_specular, held, node);
     for (const LightNode& node : nodes.diffuse)
         out.diffuse += node.weight * (queries.value(QueryTerm::full, held, node) -
-                                      queries.value(QueryTerm::specular, held, node));
+                                      queries.value(QueryTerm::model_specular, held, node));
     return out;
 }
 

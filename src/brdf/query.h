@@ -14,10 +14,11 @@
 
 namespace facet::brdf {
 
-/// What can be asked for. D [1/sr], G [0, 1], V = G / (4 n.v n.l), F; the specular lobe with its
-/// compensation; the diffuse lobe for albedo 1 without k_d; everything. The lobes are in 1/sr
-/// without the cosine.
-enum class QueryTerm { d, g, v, f, specular, diffuse, full };
+/// What can be asked for. D [1/sr], G [0, 1], V = G / (4 n.v n.l), F; D V F with its compensation,
+/// F0 mixed by metallic; the diffuse lobe for albedo 1 without k_d; everything. The lobes are in
+/// 1/sr without the cosine. `model_specular` is the specular part of everything, whose dielectric
+/// and metal are compensated apart; it has no name to ask by.
+enum class QueryTerm { d, g, v, f, specular, diffuse, full, model_specular };
 inline constexpr std::array<std::string_view, 7> query_terms{"D",        "G",       "V",   "F",
                                                              "specular", "diffuse", "full"};
 
@@ -54,6 +55,8 @@ public:
     [[nodiscard]] const tables::BrdfChoice& choice() const { return choice_; }
 
 private:
+    [[nodiscard]] double mixed_specular(const QuerySurface& surface, const LightNode& at,
+                                        double e_l);
     [[nodiscard]] double lobe(QueryTerm term, const QuerySurface& surface, const LightNode& at,
                               double e_l);
     /// A + B at n.l, interpolated: a quadrature asks for thousands of directions. Error below 1e-4.

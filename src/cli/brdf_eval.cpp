@@ -161,7 +161,7 @@ Result<Exit> brdf_eval(const BrdfOptions& options, Io& io) {
         return fail({.code = ErrorCode::usage,
                      .file = "--input",
                      .what = "is needed",
-                     .remedy = "a CSV file, or - for standard input; facet help brdf"});
+                     .remedy = "a CSV file, or - for standard input; facet help brdf-terms"});
     const bool is_stdin = options.input == "-";
     const auto bytes = is_stdin ? base::read_stdin(most_input_bytes)
                                 : base::read_file(options.input, most_input_bytes);

@@ -107,11 +107,11 @@ Result<std::vector<brdf::Reflectance>> Answers::reflectances(
         for (const brdf::QuerySurface& surface : part) {
             const brdf::ReflectanceNodes nodes = brdf::reflectance_nodes(choice, surface);
             for (const brdf::LightNode& node : nodes.specular)
-                add(brdf::QueryTerm::specular, surface, node, 1.0);
+                add(brdf::QueryTerm::model_specular, surface, node, 1.0);
             const std::size_t middle = questions.size();
             for (const brdf::LightNode& node : nodes.diffuse) {
                 add(brdf::QueryTerm::full, surface, node, 1.0);
-                add(brdf::QueryTerm::specular, surface, node, -1.0);
+                add(brdf::QueryTerm::model_specular, surface, node, -1.0);
             }
             ends.push_back({middle, questions.size()});
         }

@@ -82,7 +82,7 @@ Curve lobe_curve(Model& model, const Plot& plot, QueryTerm term, double n_dot_v)
                                            surface, n_dot_l, phi_deg);
         // The diffuse lobe as it shows: with k_d.
         if (term == QueryTerm::diffuse)
-            value -= model.queries.value(QueryTerm::specular, surface, n_dot_l, phi_deg);
+            value -= model.queries.value(QueryTerm::model_specular, surface, n_dot_l, phi_deg);
         curve.points.push_back({angle, value});
     }
     return curve;
@@ -164,7 +164,7 @@ Result<Exit> brdf_plot(const BrdfOptions& options, Io& io) {
     auto plot = plot_of(options);
     if (!plot) return tl::unexpected(plot.error());
     std::vector<Figure> figures;
-    figures.push_back(lobe_figure(*plot, QueryTerm::specular, "specular lobe"));
+    figures.push_back(lobe_figure(*plot, QueryTerm::model_specular, "specular lobe"));
     figures.push_back(lobe_figure(*plot, QueryTerm::diffuse, "diffuse lobe"));
     figures.push_back(lobe_figure(*plot, QueryTerm::full, "both"));
     for (Figure& figure : term_figures(*plot)) figures.push_back(std::move(figure));

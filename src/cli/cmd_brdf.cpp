@@ -49,7 +49,7 @@ void add_brdf(Declaration& command) {
         flags.push_back({name, BoundedNumber{&target, range}, value, "Surface", help});
     };
     flags.push_back({"ACTION", &options->action, "", "",
-                     "eval, sample, albedo, furnace or plot; facet help brdf"});
+                     "eval, sample, albedo, furnace or plot; facet help brdf-terms"});
     flags.push_back({"--brdf", &options->brdf, "slot=term,…|lecture", "Model",
                      "terms, --list brdf; lecture-literal and distribution=blinn-phong too; plot "
                      "takes several"});

@@ -130,7 +130,7 @@ struct Topic {
     std::string (*text)();
 };
 constexpr Topic topics[] = {{"lights", lights}, {"cameras", cameras}, {"set", set},
-                            {"aovs", aovs},     {"brdf", brdf},       {"exit-codes", exit_codes}};
+                            {"aovs", aovs},     {"brdf-terms", brdf}, {"exit-codes", exit_codes}};
 
 }  // namespace
 

@@ -57,9 +57,9 @@ TEST(Reciprocity, HoldsForKullaAndContysSpecularLobe) {
     Queries queries({.multiscatter = tables::Multiscatter::kulla_conty});
     for (const double phi : {0.0, 120.0, 180.0}) {
         const double forth =
-            queries.value(QueryTerm::specular, {0.7, 1.0, 0.04, 0.8, 0.2}, 0.9, phi);
-        EXPECT_NEAR(queries.value(QueryTerm::specular, {0.7, 1.0, 0.04, 0.8, 0.9}, 0.2, phi), forth,
-                    1e-10 * forth);
+            queries.value(QueryTerm::model_specular, {0.7, 1.0, 0.04, 0.8, 0.2}, 0.9, phi);
+        EXPECT_NEAR(queries.value(QueryTerm::model_specular, {0.7, 1.0, 0.04, 0.8, 0.9}, 0.2, phi),
+                    forth, 1e-10 * forth);
     }
 }
 

@@ -70,14 +70,18 @@ std::vector<Known> full_values() {
     std::vector<Known> known;
     for (const auto& r : reference_rows("brdf_points")) {
         const auto model = models.find(r.texts.at("model"));
-        if (model != models.end()) known.push_back({row("full", model->second, r), r["brdf"]});
+        if (model == models.end()) continue;
+        known.push_back({row("full", model->second, r), r["brdf"]});
+        known.push_back({row("specular", model->second, r), r["specular"]});
     }
     return known;
 }
 std::vector<Known> compensated_values() {
     std::vector<Known> known;
-    for (const auto& r : reference_rows("brdf_points_ms"))
+    for (const auto& r : reference_rows("brdf_points_ms")) {
         known.push_back({row("full", "", r), r["brdf"]});
+        known.push_back({row("specular", "", r), r["specular"]});
+    }
     return known;
 }
 std::vector<Known> masking_values() {

@@ -13,6 +13,16 @@ const int TERM_V = 2;
 const int TERM_F = 3;
 const int TERM_SPECULAR = 4;
 const int TERM_DIFFUSE = 5;
+const int TERM_MODEL_SPECULAR = 7;
+
+// D V F with its compensation, F0 mixed by metallic.
+float mixed_specular(vec4 cosines, vec4 material, float d_v, vec4 albedo, float e_l) {
+    vec3 f0 = vec3(mix(material.z, material.w, material.y));
+    float single = d_v * slot_fresnel(f0, vec3(1.0), cosines.w).x;
+    if (!slot_conserves()) return single;
+    return single * slot_multiscatter(f0, albedo.x + albedo.y).x +
+           slot_added(f0, albedo.x, albedo.y, albedo.z).x * slot_added_shape(e_l, albedo.z);
+}
 
 void main() {
     ivec2 at = ivec2(gl_FragCoord.xy);
@@ -32,8 +42,13 @@ void main() {
     if (term == TERM_SPECULAR || term > TERM_DIFFUSE) {
         vec4 albedo = textureLod(albedo_table, albedo_coordinates(cosines.x, s.roughness), 0.0);
         vec2 e_l = textureLod(albedo_table, albedo_coordinates(cosines.y, s.roughness), 0.0).xy;
-        BrdfValue f = brdf_light(brdf_view(s, cosines.x, albedo), cosines.y, cosines.z, cosines.w, e_l.x + e_l.y);
-        value = f.specular.x + (term == TERM_SPECULAR ? 0.0 : f.diffuse.x);
+        if (term == TERM_SPECULAR) {
+            float d_v = slot_distribution(cosines.z, s.alpha) * v;
+            value = mixed_specular(cosines, material, d_v, albedo, e_l.x + e_l.y);
+        } else {
+            BrdfValue f = brdf_light(brdf_view(s, cosines.x, albedo), cosines.y, cosines.z, cosines.w, e_l.x + e_l.y);
+            value = f.specular.x + (term == TERM_MODEL_SPECULAR ? 0.0 : f.diffuse.x);
+        }
     }
     out_value = vec4(value);
 }
