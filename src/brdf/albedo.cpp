@@ -23,7 +23,10 @@ constexpr double smallest_alpha = 1e-4;
 HalfVectorRule table_rule(tables::Distribution distribution) {
     return {gauss_legendre(5), gauss_legendre(distribution == tables::Distribution::ggx ? 12 : 32)};
 }
-HalfVectorRule exact_rule() { return {gauss_legendre(16), gauss_legendre(48)}; }
+const HalfVectorRule& exact_rule() {
+    static const HalfVectorRule rule{gauss_legendre(16), gauss_legendre(48)};
+    return rule;
+}
 
 /// The lobe of environment light.
 Lobe environment_lobe(const BrdfChoice& choice) {

@@ -17,6 +17,15 @@ struct LightNode {
     double weight = 0.0;  ///< sr, the cosine in it
 };
 
+/// The cosines of a light direction from v.l.
+inline LightNode light_node(double n_dot_v, double n_dot_l, double v_dot_l, double weight = 0.0) {
+    // |v + l|^2 = 2 + 2 v.l, and h bisects the angle between v and l.
+    const double v_dot_h = std::sqrt(std::max(0.0, 0.5 + 0.5 * v_dot_l));
+    const double n_dot_h =
+        v_dot_h > 0.0 ? std::min(1.0, (n_dot_v + n_dot_l) / (2.0 * v_dot_h)) : 0.0;
+    return {n_dot_l, n_dot_h, v_dot_h, weight};
+}
+
 /// Points per half turn of azimuth, and from the normal to the horizon.
 struct HalfVectorRule {
     Quadrature azimuth;
@@ -74,12 +83,9 @@ void over_hemisphere(const HalfVectorRule& rule, double n_dot_v, const Visit& vi
             const double sin_l = std::sqrt((1.0 - n_dot_l) * (1.0 + n_dot_l));
             const double v_dot_l =
                 n_dot_v * n_dot_l + sin_v * sin_l * std::cos(pi * rule.azimuth.points[a]);
-            const double v_dot_h = std::sqrt(std::max(0.0, 0.5 + 0.5 * v_dot_l));
-            const double n_dot_h =
-                v_dot_h > 0.0 ? std::min(1.0, (n_dot_v + n_dot_l) / (2.0 * v_dot_h)) : 0.0;
-            visit(LightNode{
-                n_dot_l, n_dot_h, v_dot_h,
-                2.0 * pi * n_dot_l * rule.azimuth.weights[a] * rule.inclination.weights[i]});
+            visit(light_node(
+                n_dot_v, n_dot_l, v_dot_l,
+                2.0 * pi * n_dot_l * rule.azimuth.weights[a] * rule.inclination.weights[i]));
         }
 }
 

@@ -15,19 +15,23 @@ constexpr double pi = Lobe::PI;
 /// What is a limit at grazing is evaluated beside it, as the albedo table is.
 constexpr double smallest_cosine = 1e-4;
 
-HalfVectorRule fine_rule() { return {gauss_legendre(24), gauss_legendre(64)}; }
+const HalfVectorRule& fine_rule() {
+    static const HalfVectorRule rule{gauss_legendre(24), gauss_legendre(64)};
+    return rule;
+}
+
+/// F0 of the surface as one number: the dielectric's, and the base colour of metal.
+double mixed_f0(const QuerySurface& s) { return s.f0 * (1.0 - s.metallic) + s.base * s.metallic; }
+
+/// Whether the answer may hang on the albedo at the light's direction.
+bool is_lobe(QueryTerm term) { return term == QueryTerm::specular || term >= QueryTerm::full; }
 
 }  // namespace
 
 LightNode cosines_of(double n_dot_v, double n_dot_l, double phi_deg) {
     const double sines =
         std::sqrt(std::max(0.0, (1.0 - n_dot_v * n_dot_v) * (1.0 - n_dot_l * n_dot_l)));
-    const double v_dot_l = n_dot_v * n_dot_l + sines * std::cos(phi_deg * pi / 180.0);
-    // |v + l|^2 = 2 + 2 v.l, and h bisects the angle between v and l.
-    const double v_dot_h = std::sqrt(std::max(0.0, 0.5 + 0.5 * v_dot_l));
-    const double n_dot_h =
-        v_dot_h > 0.0 ? std::min(1.0, (n_dot_v + n_dot_l) / (2.0 * v_dot_h)) : 0.0;
-    return {n_dot_l, n_dot_h, v_dot_h, 0.0};
+    return light_node(n_dot_v, n_dot_l, n_dot_v * n_dot_l + sines * std::cos(phi_deg * pi / 180.0));
 }
 
 Queries::Queries(const tables::BrdfChoice& choice) : choice_(choice) {
@@ -39,10 +43,8 @@ const ExactAlbedo& Queries::albedo(double n_dot_v, double roughness) {
     if (!is_new) return found->second;
     const SplitSum sum = split_sum(choice_, n_dot_v, roughness);
     const auto [average, unknown] = averages_.try_emplace(roughness, 1.0);
-    // Only a lobe that is added needs the mean.
-    const bool adds = choice_.multiscatter == tables::Multiscatter::kulla_conty;
-    if (unknown && adds) average->second = average_albedo(choice_, roughness);
-    found->second = {sum.a, sum.b, average->second, 1.0};
+    if (unknown && adds_lobe()) average->second = average_albedo(choice_, roughness);
+    found->second = {sum.a, sum.b, average->second};
     return found->second;
 }
 
@@ -65,7 +67,7 @@ double Queries::light_albedo(double n_dot_l, double roughness) {
 double Queries::mixed_specular(const QuerySurface& surface, const LightNode& at, double e_l) {
     Lobe terms{choice_};
     const double alpha = terms.slot_width(surface.roughness);
-    const Color f0(surface.f0 * (1.0 - surface.metallic) + surface.base * surface.metallic);
+    const Color f0(mixed_f0(surface));
     const double single =
         terms.slot_distribution(at.n_dot_h, alpha) *
         terms.slot_masking(surface.n_dot_v, at.n_dot_l, surface.roughness, alpha) *
@@ -83,9 +85,10 @@ double Queries::lobe(QueryTerm term, const QuerySurface& surface, const LightNod
     s.dielectric_f0 = surface.f0;
     const ExactAlbedo exact =
         terms.slot_conserves() ? albedo(surface.n_dot_v, surface.roughness) : ExactAlbedo{};
-    const auto view =
-        terms.brdf_view(s, surface.n_dot_v, {exact.a, exact.b, exact.average, exact.diffuse});
+    // The albedo of the diffuse lobe is for the environment alone.
+    const auto view = terms.brdf_view(s, surface.n_dot_v, {exact.a, exact.b, exact.average, 1.0});
     const auto value = terms.brdf_light(view, at.n_dot_l, at.n_dot_h, at.v_dot_h, e_l);
+    if (term == QueryTerm::model_diffuse) return value.diffuse.x;
     return (term == QueryTerm::full ? value.diffuse + value.specular : value.specular).x;
 }
 
@@ -100,11 +103,8 @@ double Queries::value(QueryTerm term, const QuerySurface& surface, const LightNo
         case QueryTerm::g:
             return 4.0 * surface.n_dot_v * at.n_dot_l *
                    terms.slot_masking(surface.n_dot_v, at.n_dot_l, surface.roughness, alpha);
-        case QueryTerm::f: {
-            const double f0 =
-                surface.f0 * (1.0 - surface.metallic) + surface.base * surface.metallic;
-            return terms.slot_fresnel(Color(f0), Color(1.0), at.v_dot_h).x;
-        }
+        case QueryTerm::f:
+            return terms.slot_fresnel(Color(mixed_f0(surface)), Color(1.0), at.v_dot_h).x;
         case QueryTerm::diffuse:
             return terms
                 .slot_diffuse(Color(1.0), surface.roughness, surface.n_dot_v, at.n_dot_l,
@@ -113,45 +113,43 @@ double Queries::value(QueryTerm term, const QuerySurface& surface, const LightNo
         case QueryTerm::specular:
         case QueryTerm::full:
         case QueryTerm::model_specular:
+        case QueryTerm::model_diffuse:
             break;
     }
-    const bool needs_e_l = choice_.multiscatter == tables::Multiscatter::kulla_conty;
-    return lobe(term, surface, at, needs_e_l ? light_albedo(at.n_dot_l, surface.roughness) : 1.0);
+    return lobe(term, surface, at, adds_lobe() ? light_albedo(at.n_dot_l, surface.roughness) : 1.0);
 }
 
 double Queries::value(QueryTerm term, const QuerySurface& surface, double n_dot_l, double phi_deg) {
     const LightNode at = cosines_of(surface.n_dot_v, n_dot_l, phi_deg);
-    const bool is_lobe =
-        term == QueryTerm::specular || term == QueryTerm::full || term == QueryTerm::model_specular;
-    if (!is_lobe || choice_.multiscatter != tables::Multiscatter::kulla_conty)
-        return value(term, surface, at);
+    if (!is_lobe(term) || !adds_lobe()) return value(term, surface, at);
     const ExactAlbedo& at_light = albedo(n_dot_l, surface.roughness);
     return lobe(term, surface, at, at_light.a + at_light.b);
 }
 
-ReflectanceNodes reflectance_nodes(const tables::BrdfChoice& choice, const QuerySurface& surface) {
-    static const HalfVectorRule rule = fine_rule();
+std::vector<Question> reflectance_questions(const tables::BrdfChoice& choice,
+                                            const QuerySurface& surface) {
+    const HalfVectorRule& rule = fine_rule();
     Lobe terms{choice};
     const double alpha = std::max(1e-4, terms.slot_width(surface.roughness));
-    const double n_dot_v = std::max(surface.n_dot_v, smallest_cosine);
-    ReflectanceNodes nodes;
-    over_half_vectors(rule, n_dot_v, alpha,
-                      [&](const LightNode& node) { nodes.specular.push_back(node); });
-    over_hemisphere({rule.azimuth, rule.azimuth}, n_dot_v,
-                    [&](const LightNode& node) { nodes.diffuse.push_back(node); });
-    return nodes;
-}
-
-Reflectance reflectance(Queries& queries, const QuerySurface& surface) {
     QuerySurface held = surface;
     held.n_dot_v = std::max(surface.n_dot_v, smallest_cosine);
-    const ReflectanceNodes nodes = reflectance_nodes(queries.choice(), held);
+    std::vector<Question> out;
+    over_half_vectors(rule, held.n_dot_v, alpha, [&](const LightNode& node) {
+        out.push_back({QueryTerm::model_specular, held, node});
+    });
+    over_hemisphere({rule.azimuth, rule.azimuth}, held.n_dot_v, [&](const LightNode& node) {
+        out.push_back({QueryTerm::model_diffuse, held, node});
+    });
+    return out;
+}
+
+Reflectance reflectance(std::span<const Question> questions, std::span<const double> answers) {
     Reflectance out;
-    for (const LightNode& node : nodes.specular)
-        out.specular += node.weight * queries.value(QueryTerm::model_specular, held, node);
-    for (const LightNode& node : nodes.diffuse)
-        out.diffuse += node.weight * (queries.value(QueryTerm::full, held, node) -
-                                      queries.value(QueryTerm::model_specular, held, node));
+    for (std::size_t i = 0; i < questions.size(); ++i) {
+        const Question& q = questions[i];
+        (q.term == QueryTerm::model_specular ? out.specular : out.diffuse) +=
+            q.at.weight * answers[i];
+    }
     return out;
 }
 

@@ -7,18 +7,19 @@
 
 #include <array>
 #include <map>
-#include <optional>
+#include <span>
 #include <string_view>
-#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace facet::brdf {
 
 /// What can be asked for. D [1/sr], G [0, 1], V = G / (4 n.v n.l), F; D V F with its compensation,
 /// F0 mixed by metallic; the diffuse lobe for albedo 1 without k_d; everything. The lobes are in
-/// 1/sr without the cosine. `model_specular` is the specular part of everything, whose dielectric
-/// and metal are compensated apart; it has no name to ask by.
-enum class QueryTerm { d, g, v, f, specular, diffuse, full, model_specular };
+/// 1/sr without the cosine. The two parts of everything, whose dielectric and metal are compensated
+/// apart and whose diffuse lobe has its k_d, have no names to ask by. glsl/frame/evaluate has the
+/// same numbers.
+enum class QueryTerm { d, g, v, f, specular, diffuse, full, model_specular, model_diffuse };
 inline constexpr std::array<std::string_view, 7> query_terms{"D",        "G",       "V",   "F",
                                                              "specular", "diffuse", "full"};
 
@@ -29,16 +30,20 @@ struct QuerySurface {
     double f0 = 0.04;  ///< of the dielectric
     double base = 1.0;
     double n_dot_v = 1.0;
-    auto operator<=>(const QuerySurface&) const = default;
 };
 
-/// A and B of the split sum at n.v, the hemispherical mean, and the white diffuse albedo: what
-/// brdf_view takes.
+/// One question: Queries::value's arguments.
+struct Question {
+    QueryTerm term = QueryTerm::full;
+    QuerySurface surface;
+    LightNode at;
+};
+
+/// A and B of the split sum at n.v, and the hemispherical mean.
 struct ExactAlbedo {
     double a = 0.0;
     double b = 0.0;
     double average = 0.0;
-    double diffuse = 1.0;
 };
 
 /// Answers questions about one choice of terms; remembers what takes a quadrature. Lights and
@@ -52,9 +57,12 @@ public:
     /// The same where the cosines are known.
     [[nodiscard]] double value(QueryTerm term, const QuerySurface& surface, const LightNode& at);
     [[nodiscard]] const ExactAlbedo& albedo(double n_dot_v, double roughness);
-    [[nodiscard]] const tables::BrdfChoice& choice() const { return choice_; }
 
 private:
+    /// The compensation that takes the mean albedo, and the albedo at the light's direction.
+    [[nodiscard]] bool adds_lobe() const {
+        return choice_.multiscatter == tables::Multiscatter::kulla_conty;
+    }
     [[nodiscard]] double mixed_specular(const QuerySurface& surface, const LightNode& at,
                                         double e_l);
     [[nodiscard]] double lobe(QueryTerm term, const QuerySurface& surface, const LightNode& at,
@@ -79,16 +87,13 @@ struct Reflectance {
     double diffuse = 0.0;
     [[nodiscard]] double sum() const { return specular + diffuse; }
 };
-/// Directions that resolve both lobes: first those for the specular one, then those for the diffuse
-/// one.
-struct ReflectanceNodes {
-    std::vector<LightNode> specular;
-    std::vector<LightNode> diffuse;
-};
-[[nodiscard]] ReflectanceNodes reflectance_nodes(const tables::BrdfChoice& choice,
-                                                 const QuerySurface& surface);
-/// By quadrature of brdf_light itself, error below 1e-4 for roughness >= 0.03: it shares no formula
-/// with the albedo that the model conserves energy by.
-[[nodiscard]] Reflectance reflectance(Queries& queries, const QuerySurface& surface);
+/// What to ask about a surface so that reflectance() finds it: directions that resolve either lobe,
+/// their weights among them. By quadrature of brdf_light itself, error below 1e-4 for roughness >=
+/// 0.03: it shares no formula with the albedo that the model conserves energy by.
+[[nodiscard]] std::vector<Question> reflectance_questions(const tables::BrdfChoice& choice,
+                                                          const QuerySurface& surface);
+/// From the answers to reflectance_questions(), as many and in that order.
+[[nodiscard]] Reflectance reflectance(std::span<const Question> questions,
+                                      std::span<const double> answers);
 
 }  // namespace facet::brdf

@@ -29,7 +29,7 @@ enum Column : std::size_t { term, model, roughness, metallic, f0, n_dot_v, n_dot
 /// A row as it came, and what it asks.
 struct Row {
     std::string text;
-    frame::Question question;
+    brdf::Question question;
     double n_dot_l = 0.0;
     double phi_deg = 0.0;
     std::size_t model = 0;
@@ -107,7 +107,6 @@ private:
             if (!choice)
                 return at_line(file_, record.line, choice.error().what, choice.error().found,
                                choice.error().remedy);
-            choice->environment_masking = choice->masking;
             models_.push_back(*choice);
         }
         row.model = known->second;
@@ -140,7 +139,7 @@ Result<std::vector<double>> answer(const std::vector<Row>& rows,
     Answers answers(via, log);
     std::vector<double> values(rows.size());
     for (std::size_t m = 0; m < models.size(); ++m) {
-        std::vector<frame::Question> questions;
+        std::vector<brdf::Question> questions;
         std::vector<std::size_t> places;
         for (std::size_t i = 0; i < rows.size(); ++i)
             if (rows[i].model == m) {

@@ -9,7 +9,6 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
-#include <array>
 
 namespace facet::cli {
 
@@ -27,7 +26,6 @@ Result<tables::BrdfChoice> first_choice(const BrdfOptions& options) {
     auto choice =
         brdf::parse_choice(options.brdf.empty() ? "" : options.brdf.front(), brdf::Use::lesson);
     if (!choice) return tl::unexpected(base::in_file(choice.error(), "--brdf"));
-    choice->environment_masking = choice->masking;
     return choice;
 }
 
@@ -50,23 +48,18 @@ Result<std::vector<double>> numbers(const char* option, const std::vector<std::s
 }
 
 brdf::Queries& Answers::queries(const tables::BrdfChoice& choice) {
-    for (brdf::Queries& each : known_)
-        if (each.choice().masking == choice.masking &&
-            each.choice().distribution == choice.distribution &&
-            each.choice().fresnel == choice.fresnel && each.choice().diffuse == choice.diffuse &&
-            each.choice().multiscatter == choice.multiscatter &&
-            each.choice().width == choice.width)
-            return each;
-    return known_.emplace_back(choice);
+    for (auto& [asked, queries] : known_)
+        if (asked == choice) return queries;
+    return known_.emplace_back(choice, brdf::Queries(choice)).second;
 }
 
 Result<std::vector<double>> Answers::ask(const tables::BrdfChoice& choice,
-                                         std::span<const frame::Question> questions) {
+                                         std::span<const brdf::Question> questions) {
     std::vector<double> out;
     out.reserve(questions.size());
     if (via_ == "cpu") {
         brdf::Queries& asked = queries(choice);
-        for (const frame::Question& q : questions)
+        for (const brdf::Question& q : questions)
             out.push_back(asked.value(q.term, q.surface, q.at));
         return out;
     }
@@ -87,42 +80,24 @@ Result<std::vector<double>> Answers::ask(const tables::BrdfChoice& choice,
 Result<std::vector<brdf::Reflectance>> Answers::reflectances(
     const tables::BrdfChoice& choice, std::span<const brdf::QuerySurface> surfaces) {
     std::vector<brdf::Reflectance> out;
-    if (via_ == "cpu") {
-        for (const brdf::QuerySurface& surface : surfaces)
-            out.push_back(brdf::reflectance(queries(choice), surface));
-        return out;
-    }
     // Some at a time: a surface takes thousands of questions, and every call to the GL compiles.
     constexpr std::size_t at_once = 128;
     for (std::size_t first = 0; first < surfaces.size(); first += at_once) {
-        const auto part = surfaces.subspan(first, std::min(at_once, surfaces.size() - first));
-        std::vector<frame::Question> questions;
-        std::vector<double> weights;
-        const auto add = [&](brdf::QueryTerm term, const brdf::QuerySurface& surface,
-                             const brdf::LightNode& node, double sign) {
-            questions.push_back({term, surface, node});
-            weights.push_back(sign * node.weight);
-        };
-        std::vector<std::array<std::size_t, 2>> ends;
-        for (const brdf::QuerySurface& surface : part) {
-            const brdf::ReflectanceNodes nodes = brdf::reflectance_nodes(choice, surface);
-            for (const brdf::LightNode& node : nodes.specular)
-                add(brdf::QueryTerm::model_specular, surface, node, 1.0);
-            const std::size_t middle = questions.size();
-            for (const brdf::LightNode& node : nodes.diffuse) {
-                add(brdf::QueryTerm::full, surface, node, 1.0);
-                add(brdf::QueryTerm::model_specular, surface, node, -1.0);
-            }
-            ends.push_back({middle, questions.size()});
+        std::vector<brdf::Question> questions;
+        std::vector<std::size_t> counts;
+        for (const brdf::QuerySurface& surface :
+             surfaces.subspan(first, std::min(at_once, surfaces.size() - first))) {
+            const auto own = brdf::reflectance_questions(choice, surface);
+            questions.insert(questions.end(), own.begin(), own.end());
+            counts.push_back(own.size());
         }
         const auto values = ask(choice, questions);
         if (!values) return tl::unexpected(values.error());
         std::size_t at = 0;
-        for (const auto& [middle, end] : ends) {
-            brdf::Reflectance sum;
-            for (; at < middle; ++at) sum.specular += weights[at] * (*values)[at];
-            for (; at < end; ++at) sum.diffuse += weights[at] * (*values)[at];
-            out.push_back(sum);
+        for (const std::size_t count : counts) {
+            out.push_back(brdf::reflectance(std::span(questions).subspan(at, count),
+                                            std::span(*values).subspan(at, count)));
+            at += count;
         }
     }
     return out;

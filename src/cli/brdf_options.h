@@ -7,7 +7,9 @@
 #include "frame/evaluate/evaluate.h"
 
 #include <optional>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace facet::cli {
@@ -29,7 +31,7 @@ struct BrdfOptions {
     OutputRules rules;
 };
 
-/// The choice of the first --brdf, or the default; lights and environment alike.
+/// The choice of the one --brdf, or the default. Errors: usage.
 [[nodiscard]] base::Result<tables::BrdfChoice> first_choice(const BrdfOptions& options);
 /// Numbers of a list option ("0.1,0.5" or repeated), within [low, high]; `initial` where it was not
 /// given.
@@ -44,7 +46,7 @@ public:
     Answers(std::string via, base::Log& log) : via_(std::move(via)), log_(&log) {}
     /// Values in the order of `questions`, all of one choice.
     [[nodiscard]] base::Result<std::vector<double>> ask(const tables::BrdfChoice& choice,
-                                                        std::span<const frame::Question> questions);
+                                                        std::span<const brdf::Question> questions);
     [[nodiscard]] base::Result<std::vector<brdf::Reflectance>> reflectances(
         const tables::BrdfChoice& choice, std::span<const brdf::QuerySurface> surfaces);
 
@@ -52,7 +54,7 @@ private:
     std::string via_;
     base::Log* log_;
     std::optional<gl::Context> gl_;
-    std::vector<brdf::Queries> known_;  ///< by choice, on the CPU
+    std::vector<std::pair<tables::BrdfChoice, brdf::Queries>> known_;  ///< on the CPU
     [[nodiscard]] brdf::Queries& queries(const tables::BrdfChoice& choice);
 };
 

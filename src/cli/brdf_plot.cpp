@@ -78,12 +78,7 @@ Curve lobe_curve(Model& model, const Plot& plot, QueryTerm term, double n_dot_v)
     for (double angle = -89.75; angle < 90.0; angle += 0.25) {
         const double n_dot_l = std::cos(angle * degree);
         const double phi_deg = angle < 0.0 ? 0.0 : 180.0;
-        double value = model.queries.value(term == QueryTerm::diffuse ? QueryTerm::full : term,
-                                           surface, n_dot_l, phi_deg);
-        // The diffuse lobe as it shows: with k_d.
-        if (term == QueryTerm::diffuse)
-            value -= model.queries.value(QueryTerm::model_specular, surface, n_dot_l, phi_deg);
-        curve.points.push_back({angle, value});
+        curve.points.push_back({angle, model.queries.value(term, surface, n_dot_l, phi_deg)});
     }
     return curve;
 }
@@ -165,7 +160,7 @@ Result<Exit> brdf_plot(const BrdfOptions& options, Io& io) {
     if (!plot) return tl::unexpected(plot.error());
     std::vector<Figure> figures;
     figures.push_back(lobe_figure(*plot, QueryTerm::model_specular, "specular lobe"));
-    figures.push_back(lobe_figure(*plot, QueryTerm::diffuse, "diffuse lobe"));
+    figures.push_back(lobe_figure(*plot, QueryTerm::model_diffuse, "diffuse lobe"));
     figures.push_back(lobe_figure(*plot, QueryTerm::full, "both"));
     for (Figure& figure : term_figures(*plot)) figures.push_back(std::move(figure));
     const brdf::QuerySurface& s = plot->surface;

@@ -127,7 +127,7 @@ Result<Exit> brdf_sample(const BrdfOptions& options, Io& io) {
     brdf::Queries queries(*choice);
     const auto& albedo = queries.albedo(s.n_dot_v, s.roughness);
     const auto view =
-        terms.brdf_view(surface, s.n_dot_v, {albedo.a, albedo.b, albedo.average, albedo.diffuse});
+        terms.brdf_view(surface, s.n_dot_v, {albedo.a, albedo.b, albedo.average, 1.0});
     const Lobe::real3 v(std::sqrt(1.0 - s.n_dot_v * s.n_dot_v), 0.0, s.n_dot_v);
     const auto sampler = terms.brdf_sampler(view, v);
     std::mt19937 engine(static_cast<std::uint32_t>(options.seed.value_or(0.0)));

@@ -171,8 +171,7 @@ base::Status Frame::draw(const gl::Context& gl, const FrameInputs& in, std::uint
 base::Status Frame::draw_centered_aovs(const gl::Context& gl, const FrameInputs& in) {
     const bool any =
         std::any_of(aov_targets_.begin(), aov_targets_.end(), [](const AovTarget& target) {
-            return tables::aovs[static_cast<std::size_t>(target.aov)].average ==
-                   tables::Average::nearest;
+            return tables::row(target.aov).average == tables::Average::nearest;
         });
     if (!any) return {};
     const shared::View view = view_block(in.camera, spec_.picture, spec_.region, math::Vec2(0.0F));
@@ -216,12 +215,9 @@ base::Status Frame::display_picture(const gl::Context& gl, const image::Image& r
 std::vector<image::Layer> Frame::read_aovs(const gl::Context& gl, std::uint32_t count) const {
     std::vector<image::Layer> layers;
     for (const AovTarget& target : aov_targets_) {
-        const tables::AovRow& row = tables::aovs[static_cast<std::size_t>(target.aov)];
-        image::Layer layer{.name = std::string(row.key),
-                           .channels = {},
-                           .image = read_aov(gl, target, size(), count)};
-        for (const char channel : row.channels) layer.channels.emplace_back(1, channel);
-        layers.push_back(std::move(layer));
+        const tables::AovRow& row = tables::row(target.aov);
+        layers.push_back(
+            image::layer_of(row.key, row.channels, read_aov(gl, target, size(), count)));
     }
     return layers;
 }

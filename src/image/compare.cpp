@@ -103,8 +103,8 @@ Image painted_flip(const Image& map) {
 
 /// Linear light, f32 [height, width, 4]: radiance of scene-linear files, else what is shown,
 /// decoded.
-Image linear(const Picture& picture) {
-    Image out = shown(picture);
+Image linear(const Picture& picture, const Image& shown) {
+    Image out = shown;
     const auto to = out.as<float>();
     const bool is_linear = tables::row(picture.format).scene_linear;
     const Layer* const layer = beauty(picture);
@@ -220,8 +220,8 @@ base::Result<Difference> compare(const Picture& a, const Picture& b,
                            .found = {},
                            .remedy = "compare without --mask"});
     if (!options.layer.empty()) return out;
-    const Image light_a = linear(a);
-    const Image light_b = linear(b);
+    const Image light_a = linear(a, first);
+    const Image light_b = linear(b, second);
     out.relative_mse = relative_mse(light_a, light_b, options.pixels);
     if (options.pixels != Pixels::all) return out;
     out.flip_is_hdr = tables::row(a.format).scene_linear && tables::row(b.format).scene_linear;

@@ -110,6 +110,12 @@ auto guarded(const Work& work) -> decltype(work()) {
 
 }  // namespace
 
+Layer layer_of(std::string_view name, std::string_view letters, Image image) {
+    Layer layer{.name = std::string(name), .channels = {}, .image = std::move(image)};
+    for (const char letter : letters) layer.channels.emplace_back(1, letter);
+    return layer;
+}
+
 std::optional<tables::ImageFormat> sniff(std::span<const std::byte> file) {
     for (std::size_t i = 0; i < codecs.size(); ++i)
         if (codecs[i].sniff(file)) return static_cast<tables::ImageFormat>(i);

@@ -47,6 +47,8 @@ struct Layer {
     std::vector<std::string> channels;  ///< "R","G","B","A" or "X","Y","Z" or "Z" or "Y"
     Image image;
 };
+/// A layer whose channels are named by a letter each.
+[[nodiscard]] Layer layer_of(std::string_view name, std::string_view letters, Image image);
 /// A picture with everything in it: layers, and text metadata.
 struct Picture {
     std::vector<Layer> layers;

@@ -141,6 +141,9 @@ struct Scene {
     std::vector<std::string> animations;  ///< clip names
     std::vector<std::string> variants;    ///< KHR_materials_variants names
 
+    [[nodiscard]] const Material& material_of(const Instance& instance) const {
+        return materials[meshes[instance.mesh.index].material.index];
+    }
     [[nodiscard]] std::uint64_t triangle_count() const;  ///< instances counted each
     [[nodiscard]] math::Bounds bounds_m() const;         ///< world space
 };

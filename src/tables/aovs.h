@@ -33,5 +33,6 @@ inline constexpr auto aovs = std::to_array<AovRow>({
 #define AOV(name, value, ...) {.key = #name, .glsl = #value, __VA_ARGS__},
 #include "tables/aovs.def"
 });
+[[nodiscard]] constexpr const AovRow& row(Aov aov) { return aovs[static_cast<std::size_t>(aov)]; }
 
 }  // namespace facet::tables

@@ -4,7 +4,7 @@
 
 #include "trace/sequence.h"
 
-#include <cmath>
+#include <algorithm>
 #include <limits>
 
 namespace facet::trace {
@@ -13,25 +13,23 @@ namespace {
 using math::Vec2;
 using math::Vec3;
 
-/// More passed blended surfaces than this are taken for the background.
-constexpr int most_passed = 64;
+/// AOVs have no noise but the edges': as many as the rasteriser's finest quality half.
+constexpr std::uint32_t most_samples = 16;
 
 /// The first surface that is not blended. False where there is none.
 bool first_surface(const World& world, Ray ray, const Cone& cone, const Vec3& forward,
                    AovSurface& out) {
     const Vec3 eye = ray.origin;
-    for (int i = 0; i < most_passed; ++i) {
+    for (std::uint32_t i = 0; i < most_passed; ++i) {
         Hit hit;
         if (!world.geometry.intersect(ray, Viewer::camera, hit)) return false;
         const scene::Instance& instance = world.scene.instances[hit.instance];
-        const scene::Mesh& mesh = world.scene.meshes[instance.mesh.index];
-        if (world.scene.materials[mesh.material.index].alpha_mode == scene::AlphaMode::blend) {
-            ray.near_m = std::nextafter(hit.distance_m, 1e30F) * (1.0F + 1e-6F);
+        if (world.scene.material_of(instance).alpha_mode == scene::AlphaMode::blend) {
+            ray = behind(ray, hit);
             continue;
         }
-        const float cone_m = cone.width_m + cone.spread * hit.distance_m;
-        const Surface s =
-            surface_at(world.scene, world.frames, world.textures, hit, ray.direction, cone_m);
+        const Surface s = surface_at(world.scene, world.frames, world.textures, hit, ray.direction,
+                                     cone.width_at(hit.distance_m));
         out = {.albedo = s.base_color,
                .normal = s.normal,
                .metallic = s.metallic,
@@ -47,34 +45,35 @@ bool first_surface(const World& world, Ray ray, const Cone& cone, const Vec3& fo
     return false;
 }
 
-const tables::AovRow& row_of(tables::Aov aov) {
-    return tables::aovs[static_cast<std::size_t>(aov)];
-}
-
 /// Writes one pixel of every layer.
 class PixelAovs {
 public:
-    PixelAovs(const World& world, const CameraRays& camera, const AovSpec& spec)
-        : world_(world), camera_(camera), spec_(spec), forward_(camera.forward()) {}
+    PixelAovs(const World& world, const CameraRays& camera, const TraceSettings& settings,
+              const std::vector<tables::Aov>& aovs)
+        : world_(world),
+          camera_(camera),
+          settings_(settings),
+          samples_(std::min(settings.samples, most_samples)),
+          aovs_(aovs),
+          forward_(camera.forward()) {}
 
     void write(std::uint32_t x, std::uint32_t y, std::vector<image::Layer>& layers) const {
-        const std::size_t at = std::size_t{y} * spec_.size.width + x;
-        const Vec2 corner(spec_.x + x, spec_.y + y);
-        std::vector<Vec3> sums(spec_.aovs.size(), Vec3(0.0F));
-        const std::uint32_t pixel = (spec_.y + y) * spec_.picture.width + spec_.x + x;
-        for (std::uint32_t i = 0; i < spec_.samples; ++i) {
-            Sequence sequence(pixel, i, spec_.seed);
+        const std::size_t at = std::size_t{y} * settings_.size.width + x;
+        const Vec2 corner(settings_.x + x, settings_.y + y);
+        std::vector<Vec3> sums(aovs_.size(), Vec3(0.0F));
+        const std::uint32_t pixel = (settings_.y + y) * settings_.picture.width + settings_.x + x;
+        for (std::uint32_t i = 0; i < samples_; ++i) {
+            Sequence sequence(pixel, i, settings_.seed);
             AovSurface surface;
             if (!look(corner + sequence.next_pair(), surface)) continue;
-            for (std::size_t k = 0; k < sums.size(); ++k)
-                sums[k] += aov_value(spec_.aovs[k], surface);
+            for (std::size_t k = 0; k < sums.size(); ++k) sums[k] += aov_value(aovs_[k], surface);
         }
         AovSurface center;
         const bool found = look(corner + 0.5F, center);
         for (std::size_t k = 0; k < sums.size(); ++k) {
-            Vec3 value = sums[k] / static_cast<float>(spec_.samples);
-            if (row_of(spec_.aovs[k]).average == tables::Average::nearest)
-                value = found ? aov_value(spec_.aovs[k], center) : nothing(spec_.aovs[k]);
+            Vec3 value = sums[k] / static_cast<float>(samples_);
+            if (tables::row(aovs_[k]).average == tables::Average::nearest)
+                value = found ? aov_value(aovs_[k], center) : nothing(aovs_[k]);
             const std::size_t channels = layers[k].image.channels;
             for (std::size_t c = 0; c < channels; ++c)
                 layers[k].image.as<float>()[at * channels + c] = value[static_cast<int>(c)];
@@ -92,27 +91,28 @@ private:
 
     const World& world_;
     const CameraRays& camera_;
-    const AovSpec& spec_;
+    const TraceSettings& settings_;
+    std::uint32_t samples_;
+    const std::vector<tables::Aov>& aovs_;
     Vec3 forward_;
 };
 
 }  // namespace
 
 std::vector<image::Layer> trace_aovs(const World& world, const CameraRays& camera,
-                                     const AovSpec& spec, base::ThreadPool& pool) {
+                                     const TraceSettings& settings,
+                                     const std::vector<tables::Aov>& aovs, base::ThreadPool& pool) {
     std::vector<image::Layer> layers;
-    for (const tables::Aov aov : spec.aovs) {
-        const tables::AovRow& row = row_of(aov);
-        image::Layer layer{.name = std::string(row.key), .channels = {}, .image = {}};
-        for (const char channel : row.channels) layer.channels.emplace_back(1, channel);
-        layer.image = image::Image(spec.size, static_cast<std::uint32_t>(row.channels.size()),
-                                   image::Sample::f32);
-        layers.push_back(std::move(layer));
+    for (const tables::Aov aov : aovs) {
+        const tables::AovRow& row = tables::row(aov);
+        const auto channels = static_cast<std::uint32_t>(row.channels.size());
+        layers.push_back(
+            image::layer_of(row.key, row.channels, {settings.size, channels, image::Sample::f32}));
     }
     if (layers.empty()) return layers;
-    const PixelAovs pixels(world, camera, spec);
-    pool.parallel_for(spec.size.height, [&](std::size_t y) {
-        for (std::uint32_t x = 0; x < spec.size.width; ++x)
+    const PixelAovs pixels(world, camera, settings, aovs);
+    pool.parallel_for(settings.size.height, [&](std::size_t y) {
+        for (std::uint32_t x = 0; x < settings.size.width; ++x)
             pixels.write(x, static_cast<std::uint32_t>(y), layers);
     });
     return layers;

@@ -6,6 +6,7 @@
 #include "tables/aovs.h"
 #include "trace/camera.h"
 #include "trace/path.h"
+#include "trace/trace.h"
 
 #include <vector>
 
@@ -26,21 +27,12 @@ struct AovSurface {
 };
 [[nodiscard]] math::Vec3 aov_value(tables::Aov aov, const AovSurface& surface);
 
-/// The part of a picture that is traced, and how many rays a pixel's mean has.
-struct AovSpec {
-    math::Extent picture;
-    std::uint32_t x = 0;
-    std::uint32_t y = 0;
-    math::Extent size;
-    std::uint32_t samples = 16;
-    std::uint32_t seed = 0;
-    std::vector<tables::Aov> aovs;
-};
-
-/// One f32 layer an AOV. Rows averaged by mean take `samples` rays, the others one through the
-/// pixel's centre; where nothing is met the value is 0, and infinite for depth. Blended surfaces
-/// are passed, as the G-buffer leaves them out.
+/// One f32 layer an AOV. Rows averaged by mean take `settings.samples` rays, 16 at most, the others
+/// one through the pixel's centre; where nothing is met the value is 0, and infinite for depth.
+/// Blended surfaces are passed, as the G-buffer leaves them out.
 [[nodiscard]] std::vector<image::Layer> trace_aovs(const World& world, const CameraRays& camera,
-                                                   const AovSpec& spec, base::ThreadPool& pool);
+                                                   const TraceSettings& settings,
+                                                   const std::vector<tables::Aov>& aovs,
+                                                   base::ThreadPool& pool);
 
 }  // namespace facet::trace

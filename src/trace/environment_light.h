@@ -49,8 +49,7 @@ private:
 
 class EnvironmentLight {
 public:
-    /// `latlong` f32 [height, width, 3] in nit; it outlives this. Orientation as
-    /// scene::Environment.
+    /// `latlong` f32 [height, width, 3] in nit. Orientation as scene::Environment.
     EnvironmentLight(const image::Image& latlong, float rotation_deg, float intensity,
                      base::ThreadPool& pool);
 

@@ -45,7 +45,6 @@ public:
         std::uint32_t x0, y0, x1, y1;
     };
     [[nodiscard]] TileBox tile_box(std::size_t tile) const;
-    [[nodiscard]] math::Extent size() const { return size_; }
 
 private:
     /// Sum of the squares over the box.

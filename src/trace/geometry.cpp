@@ -7,6 +7,7 @@
 #include <embree3/rtcore.h>
 #include <spdlog/fmt/fmt.h>
 
+#include <cmath>
 #include <vector>
 
 namespace facet::trace {
@@ -35,9 +36,8 @@ struct Context {
     float transmittance = 1.0F;
 };
 
-const scene::Material& material_of(const scene::Scene& scene, std::uint32_t instance) {
-    const scene::Mesh& mesh = scene.meshes[scene.instances[instance].mesh.index];
-    return scene.materials[mesh.material.index];
+const scene::Material& material_of(const Context& context, const RTCHit& hit) {
+    return context.scene->material_of(context.scene->instances[hit.geomID]);
 }
 
 float coverage(const Context& context, const RTCHit& hit) {
@@ -52,7 +52,7 @@ void filter_hit(const RTCFilterFunctionNArguments* arguments) {
     const auto& context = *reinterpret_cast<const Context*>(arguments->context);
     const auto& ray = *reinterpret_cast<const RTCRay*>(arguments->ray);
     const auto& hit = *reinterpret_cast<const RTCHit*>(arguments->hit);
-    const scene::Material& material = material_of(*context.scene, hit.geomID);
+    const scene::Material& material = material_of(context, hit);
     const bool back = math::dot(normal_of(hit), Vec3(ray.dir_x, ray.dir_y, ray.dir_z)) > 0.0F;
     if (context.culls && back && !material.double_sided) arguments->valid[0] = 0;
     if (material.alpha_mode == scene::AlphaMode::mask && coverage(context, hit) == 0.0F)
@@ -63,7 +63,7 @@ void filter_hit(const RTCFilterFunctionNArguments* arguments) {
 void filter_shadow(const RTCFilterFunctionNArguments* arguments) {
     auto& context = *reinterpret_cast<Context*>(arguments->context);
     const auto& hit = *reinterpret_cast<const RTCHit*>(arguments->hit);
-    const scene::Material& material = material_of(*context.scene, hit.geomID);
+    const scene::Material& material = material_of(context, hit);
     if (material.alpha_mode == scene::AlphaMode::opaque) return;
     context.transmittance *= 1.0F - coverage(context, hit);
     constexpr float nothing = 1e-3F;
@@ -114,7 +114,7 @@ struct Geometry::Impl {
 
 bool Geometry::Impl::add(const scene::Instance& instance, std::uint32_t index) const {
     const scene::Mesh& mesh = scene->meshes[instance.mesh.index];
-    const scene::Material& material = scene->materials[mesh.material.index];
+    const scene::Material& material = scene->material_of(instance);
     RTCGeometry geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
     if (geometry == nullptr) return false;
     auto* positions = static_cast<Vec3*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX,
@@ -170,6 +170,12 @@ base::Result<Geometry> Geometry::build(const scene::Scene& scene, const Textures
     if (rtcGetDeviceError(impl->device.get()) != RTC_ERROR_NONE)
         return base::fail(embree_error(impl->device.get()));
     return Geometry(std::move(impl));
+}
+
+Ray behind(const Ray& ray, const Hit& hit) {
+    Ray rest = ray;
+    rest.near_m = std::nextafter(hit.distance_m, 1e30F) * (1.0F + 1e-6F);
+    return rest;
 }
 
 bool Geometry::intersect(const Ray& ray, Viewer viewer, Hit& hit) const {

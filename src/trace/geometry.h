@@ -29,6 +29,11 @@ struct Hit {
     float v = 0.0F;
 };
 
+/// Surfaces that let one ray through: more than any picture shows.
+inline constexpr std::uint32_t most_passed = 256;
+/// What is left of a ray that a hit let through, free of that triangle.
+[[nodiscard]] Ray behind(const Ray& ray, const Hit& hit);
+
 /// Who looks: the camera does not see the back of what is single-sided, as the rasteriser culls it.
 enum class Viewer : std::uint8_t { camera, light };
 

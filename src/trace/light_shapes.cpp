@@ -45,7 +45,6 @@ LightSample sample_point(const Light& light, const Vec3& to_center) {
     return out;
 }
 
-/// normal is `normal`.
 LightSample sample_area(const Vec3& to_place, const Vec3& normal, float area) {
     const float distance2 = math::dot(to_place, to_place);
     LightSample out;

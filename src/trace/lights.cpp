@@ -23,6 +23,14 @@ bool has_size(const Light& light) {
     return tables::light_kinds[static_cast<std::size_t>(light.kind)].area;
 }
 
+/// Of a triangle in world space: twice its area long, on its front side, as Hit::normal.
+Vec3 area_normal(const scene::Scene& scene, std::uint32_t instance, std::uint32_t triangle) {
+    const Vec3 a = position_at(scene, {.instance = instance, .triangle = triangle});
+    const Vec3 b = position_at(scene, {.instance = instance, .triangle = triangle, .u = 1.0F});
+    const Vec3 c = position_at(scene, {.instance = instance, .triangle = triangle, .v = 1.0F});
+    return math::cross(b - a, c - a);
+}
+
 }  // namespace
 
 Lights::Lights(const scene::Scene& scene, const Textures& textures)
@@ -42,8 +50,9 @@ Lights::Lights(const scene::Scene& scene, const Textures& textures)
             .instance = e.instance, .triangle = e.triangle, .u = 1.0F / 3.0F, .v = 1.0F / 3.0F};
         // A texture may be dark in the middle alone: a tenth of the factor keeps the triangle in
         // the draw.
-        const float nit = math::luminance(emission_at(scene, textures, middle)) +
-                          0.1F * math::luminance(emission_factor(scene, middle));
+        const float nit =
+            math::luminance(emission_at(scene, textures, middle)) +
+            0.1F * math::luminance(emission_factor(scene.material_of(scene.instances[e.instance])));
         weights.push_back(nit * e.area_m2);
         emitted_ += weights.back();
         bounds.add(position_at(scene, middle));
@@ -56,15 +65,11 @@ Lights::Lights(const scene::Scene& scene, const Textures& textures)
 
 void Lights::add_emitters(const scene::Scene& scene, std::uint32_t instance) {
     const scene::Mesh& mesh = scene.meshes[scene.instances[instance].mesh.index];
-    if (scene.materials[mesh.material.index].unlit) return;
-    if (emission_factor(scene, {.instance = instance}) == Vec3(0.0F)) return;
+    const scene::Material& material = scene.material_of(scene.instances[instance]);
+    if (material.unlit || emission_factor(material) == Vec3(0.0F)) return;
     first_emitter_[instance] = emitters_.size();
-    for (std::uint32_t t = 0; t < mesh.indices.size() / 3; ++t) {
-        const Vec3 a = position_at(scene, {.instance = instance, .triangle = t});
-        const Vec3 b = position_at(scene, {.instance = instance, .triangle = t, .u = 1.0F});
-        const Vec3 c = position_at(scene, {.instance = instance, .triangle = t, .v = 1.0F});
-        emitters_.push_back({instance, t, 0.5F * math::length(math::cross(b - a, c - a))});
-    }
+    for (std::uint32_t t = 0; t < mesh.indices.size() / 3; ++t)
+        emitters_.push_back({instance, t, 0.5F * math::length(area_normal(scene, instance, t))});
 }
 
 float Lights::weight(const Light& light, const Vec3& position_m) const {
@@ -123,16 +128,11 @@ LightSample Lights::sample_mesh(const Vec3& position_m, Vec2 u, float pick) cons
     const float root = std::sqrt(u.x);
     const Hit at{
         .instance = e.instance, .triangle = e.triangle, .u = root * (1.0F - u.y), .v = root * u.y};
-    const Vec3 a = position_at(*scene_, {.instance = e.instance, .triangle = e.triangle});
-    const Vec3 b =
-        position_at(*scene_, {.instance = e.instance, .triangle = e.triangle, .u = 1.0F});
-    const Vec3 c =
-        position_at(*scene_, {.instance = e.instance, .triangle = e.triangle, .v = 1.0F});
-    Vec3 normal = math::cross(b - a, c - a);
+    Vec3 normal = area_normal(*scene_, e.instance, e.triangle);
     normal /= std::max(math::length(normal), 1e-30F);
     const Vec3 to_place = position_at(*scene_, at) - position_m;
-    if (is_double_sided(*scene_, e.instance) && math::dot(normal, to_place) > 0.0F)
-        normal = -normal;
+    const scene::Material& material = scene_->material_of(scene_->instances[e.instance]);
+    if (material.double_sided && math::dot(normal, to_place) > 0.0F) normal = -normal;
     LightSample out = sample_area(to_place, normal, e.area_m2);
     out.pdf *= draw.share;
     if (out.pdf > 0.0F)
@@ -156,10 +156,9 @@ Vec3 Lights::met(const Ray& ray, float pdf, float total_weight) const {
     return sum;
 }
 
-float Lights::mesh_pdf(const Hit& hit, const Ray& ray, const Vec3& radiance_nit,
-                       float total_weight) const {
+float Lights::mesh_pdf(const Hit& hit, const Ray& ray, float total_weight) const {
     const std::size_t first = first_emitter_[hit.instance];
-    if (first == no_emitter || radiance_nit == Vec3(0.0F)) return 0.0F;
+    if (first == no_emitter) return 0.0F;
     const float area2 = math::length(hit.normal);
     const float cosine = std::fabs(math::dot(hit.normal, ray.direction)) / std::max(area2, 1e-30F);
     const std::size_t emitter = first + hit.triangle;

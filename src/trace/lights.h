@@ -46,9 +46,8 @@ public:
     /// of choose() at its origin.
     [[nodiscard]] math::Vec3 met(const Ray& ray, float pdf, float total_weight) const;
     /// Density with which sample() would have drawn the place of a mesh that emits, met by a ray at
-    /// `hit`.
-    [[nodiscard]] float mesh_pdf(const Hit& hit, const Ray& ray, const math::Vec3& radiance_nit,
-                                 float total_weight) const;
+    /// `hit`, where it emits.
+    [[nodiscard]] float mesh_pdf(const Hit& hit, const Ray& ray, float total_weight) const;
 
 private:
     struct Emitter {

@@ -14,8 +14,6 @@ using math::Vec3;
 
 /// Paths are never ended by chance before this bounce.
 constexpr std::uint32_t first_roulette = 3;
-/// Blended surfaces that one ray may pass: more than any picture shows.
-constexpr std::uint32_t most_passed = 256;
 /// As many lights as this are all drawn from where the camera looks: what one of them hides from
 /// another shows there.
 constexpr std::size_t most_drawn_each = 8;
@@ -56,7 +54,7 @@ private:
             add_environment();
             return false;
         }
-        const float cone_m = cone_.width_m + cone_.spread * hit.distance_m;
+        const float cone_m = cone_.width_at(hit.distance_m);
         const Surface surface =
             surface_at(world_.scene, world_.frames, world_.textures, hit, ray_.direction, cone_m);
         if (surface.opacity < 1.0F && sequence_.next() >= surface.opacity) return pass(hit);
@@ -73,7 +71,7 @@ private:
     /// Goes on behind a blended surface that let the ray through.
     bool pass(const Hit& hit) {
         if (++passed_ > most_passed) return false;
-        ray_.near_m = std::nextafter(hit.distance_m, 1e30F) * (1.0F + 1e-6F);
+        ray_ = behind(ray_, hit);
         return true;
     }
 
@@ -107,11 +105,12 @@ private:
         if (surface.unlit) out_.radiance_nit += throughput_ * surface.base_color;
         if (surface.emissive_nit == Vec3(0.0F)) return;
         // A surface that is single-sided shines to its front alone.
-        if (!surface.front && !is_double_sided(world_.scene, surface.instance)) return;
+        const scene::Scene& scene = world_.scene;
+        if (!surface.front && !scene.material_of(scene.instances[hit.instance]).double_sided)
+            return;
         float share = 1.0F;
         if (!from_camera() && !mirrored_)
-            share = power_share(
-                pdf_, world_.lights.mesh_pdf(hit, ray_, surface.emissive_nit, light_weight_));
+            share = power_share(pdf_, world_.lights.mesh_pdf(hit, ray_, light_weight_));
         out_.radiance_nit += of_light_ * surface.emissive_nit * share;
     }
 

@@ -32,6 +32,7 @@ struct World {
 struct Cone {
     float width_m = 0.0F;
     float spread = 0.0F;
+    [[nodiscard]] float width_at(float distance_m) const { return width_m + spread * distance_m; }
 };
 
 struct PathLight {

@@ -30,12 +30,20 @@ Corners corners_of(const scene::Mesh& mesh, const Hit& hit) {
     return {index[0], index[1], index[2], 1.0F - hit.u - hit.v, hit.u, hit.v};
 }
 
-/// Texture lookups of one point.
-class Lookup {
+/// One point of a scene: what its mesh and its material are, and texture lookups.
+class Point {
 public:
-    Lookup(const scene::Mesh& mesh, const scene::Material& material, const Textures& textures,
-           const Corners& corners)
-        : mesh_(mesh), material_(material), textures_(textures), corners_(corners) {}
+    Point(const scene::Scene& scene, const Textures& textures, const Hit& hit)
+        : instance(scene.instances[hit.instance]),
+          mesh(scene.meshes[instance.mesh.index]),
+          material(scene.material_of(instance)),
+          corners(corners_of(mesh, hit)),
+          textures_(textures) {}
+
+    const scene::Instance& instance;
+    const scene::Mesh& mesh;
+    const scene::Material& material;
+    const Corners corners;
 
     /// Ratio of the ray's width to the triangle, as halvings of a square texture over it; sample()
     /// adds the size.
@@ -43,13 +51,13 @@ public:
         width_ = width_m / std::max(cosine, 0.05F);
         area2_ = world_area2_m2;
     }
-    [[nodiscard]] bool has(TextureSlot slot) const { return material_.texture(slot).has_value(); }
+    [[nodiscard]] bool has(TextureSlot slot) const { return material.texture(slot).has_value(); }
     [[nodiscard]] Vec4 operator()(TextureSlot slot) const {
-        const scene::Texture& texture = *material_.texture(slot);
+        const scene::Texture& texture = *material.texture(slot);
         const std::vector<Vec2>& uvs =
-            texture.uv_set == 1 && !mesh_.uv1.empty() ? mesh_.uv1 : mesh_.uv0;
+            texture.uv_set == 1 && !mesh.uv1.empty() ? mesh.uv1 : mesh.uv0;
         if (uvs.empty()) return Vec4(1.0F);
-        const Vec3 uv = texture.uv_from_uv * Vec3(corners_.mix(uvs), 1.0F);
+        const Vec3 uv = texture.uv_from_uv * Vec3(corners.mix(uvs), 1.0F);
         const auto space = tables::material_textures[static_cast<std::size_t>(slot)].space;
         return textures_.sample(texture, space, Vec2(uv), level(texture, uvs));
     }
@@ -57,8 +65,8 @@ public:
 private:
     [[nodiscard]] float level(const scene::Texture& texture, const std::vector<Vec2>& uvs) const {
         if (width_ <= 0.0F || area2_ <= 0.0F) return 0.0F;
-        const Vec2 ab = uvs[corners_.b] - uvs[corners_.a];
-        const Vec2 ac = uvs[corners_.c] - uvs[corners_.a];
+        const Vec2 ab = uvs[corners.b] - uvs[corners.a];
+        const Vec2 ac = uvs[corners.c] - uvs[corners.a];
         const Mat3& m = texture.uv_from_uv;
         const float scale = std::fabs(m[0][0] * m[1][1] - m[1][0] * m[0][1]);
         const math::Extent size = textures_.size(texture.image);
@@ -68,27 +76,22 @@ private:
         return texels_wide2 > 1.0F ? 0.5F * std::log2(texels_wide2) : 0.0F;
     }
 
-    const scene::Mesh& mesh_;
-    const scene::Material& material_;
     const Textures& textures_;
-    const Corners& corners_;
     float width_ = 0.0F;
     float area2_ = 0.0F;
 };
 
 /// glsl/lib/material.glsl's shading_normal, on the front side.
-Vec3 shading_normal(const scene::Scene& scene, const scene::Instance& instance,
-                    const scene::Mesh& mesh, const Mat3& normal_from_object, const Corners& corners,
-                    const Lookup& lookup, float normal_scale) {
-    const Vec3 n = math::normalize(normal_from_object * corners.mix(mesh.normals));
-    if (!lookup.has(TextureSlot::normal_texture) || mesh.tangents.empty()) return n;
-    const auto& texture =
-        *scene.materials[mesh.material.index].texture(TextureSlot::normal_texture);
-    if (scene.images[texture.image.index].pixels == nullptr) return n;
-    const Vec2 xy = (Vec2(lookup(TextureSlot::normal_texture)) * 2.0F - 1.0F) * normal_scale;
+Vec3 shading_normal(const scene::Scene& scene, const Mat3& normal_from_object, const Point& point) {
+    const Vec3 n = math::normalize(normal_from_object * point.corners.mix(point.mesh.normals));
+    const auto& texture = point.material.texture(TextureSlot::normal_texture);
+    if (!texture || point.mesh.tangents.empty()) return n;
+    if (scene.images[texture->image.index].pixels == nullptr) return n;
+    const Vec2 xy = (Vec2(point(TextureSlot::normal_texture)) * 2.0F - 1.0F) *
+                    point.material.values.normal_scale;
     const float z = std::sqrt(std::max(1.0F - math::dot(xy, xy), 1e-4F));
-    const Vec4 tangent = corners.mix(mesh.tangents);
-    const Vec3 across = Mat3(instance.world_from_object) * Vec3(tangent);
+    const Vec4 tangent = point.corners.mix(point.mesh.tangents);
+    const Vec3 across = Mat3(point.instance.world_from_object) * Vec3(tangent);
     const Vec3 t = across - n * math::dot(n, across);
     const float length = math::length(t);
     if (!(length > 1e-6F)) return n;
@@ -97,35 +100,43 @@ Vec3 shading_normal(const scene::Scene& scene, const scene::Instance& instance,
     return math::normalize(unit * xy.x + b * xy.y + n * z);
 }
 
-Vec4 base_color_opacity(const scene::Mesh& mesh, const scene::Material& material,
-                        const Corners& corners, const Lookup& lookup) {
+Vec4 base_color_opacity(const Point& point) {
+    const scene::Material& material = point.material;
     const tables::MaterialValues& v = material.values;
     Vec4 base(v.base_color, material.alpha_mode == scene::AlphaMode::opaque ? 1.0F : v.opacity);
-    if (!mesh.colors.empty()) base *= corners.mix(mesh.colors);
-    if (lookup.has(TextureSlot::base_color_texture))
-        base *= lookup(TextureSlot::base_color_texture);
+    if (!point.mesh.colors.empty()) base *= point.corners.mix(point.mesh.colors);
+    if (point.has(TextureSlot::base_color_texture)) base *= point(TextureSlot::base_color_texture);
     return base;
 }
 
-void fill_material(const scene::Mesh& mesh, const scene::Material& material, const Corners& corners,
-                   const Lookup& lookup, Surface& s) {
+/// Radiance emitted, nit.
+Vec3 emission(const Point& point) {
+    const Vec3 factor = emission_factor(point.material);
+    if (factor == Vec3(0.0F) || !point.has(TextureSlot::emissive_texture)) return factor;
+    return factor * Vec3(point(TextureSlot::emissive_texture));
+}
+
+Vec3 position_m(const scene::Instance& instance, const scene::Mesh& mesh, const Corners& corners) {
+    return Vec3(instance.world_from_object * Vec4(corners.mix(mesh.positions_m), 1.0F));
+}
+
+void fill_material(const Point& point, Surface& s) {
+    const scene::Material& material = point.material;
     const tables::MaterialValues& v = material.values;
-    const Vec4 base = base_color_opacity(mesh, material, corners, lookup);
+    const Vec4 base = base_color_opacity(point);
     s.base_color = glm::clamp(Vec3(base), 0.0F, 1.0F);
     s.opacity =
         material.alpha_mode == scene::AlphaMode::blend ? std::clamp(base.w, 0.0F, 1.0F) : 1.0F;
     s.metallic = v.metallic;
     s.roughness = v.roughness;
-    if (lookup.has(TextureSlot::metallic_roughness_texture)) {
-        const Vec4 orm = lookup(TextureSlot::metallic_roughness_texture);
+    if (point.has(TextureSlot::metallic_roughness_texture)) {
+        const Vec4 orm = point(TextureSlot::metallic_roughness_texture);
         s.metallic *= orm.z;
         s.roughness *= orm.y;
     }
-    if (lookup.has(TextureSlot::occlusion_texture))
-        s.ao = 1.0F + (lookup(TextureSlot::occlusion_texture).x - 1.0F) * v.ao_strength;
-    s.emissive_nit = v.emissive * v.emissive_strength;
-    if (s.emissive_nit != Vec3(0.0F) && lookup.has(TextureSlot::emissive_texture))
-        s.emissive_nit *= Vec3(lookup(TextureSlot::emissive_texture));
+    if (point.has(TextureSlot::occlusion_texture))
+        s.ao = 1.0F + (point(TextureSlot::occlusion_texture).x - 1.0F) * v.ao_strength;
+    s.emissive_nit = emission(point);
     s.unlit = material.unlit;
 }
 
@@ -150,27 +161,21 @@ std::vector<InstanceFrame> instance_frames(const scene::Scene& scene) {
 
 Surface surface_at(const scene::Scene& scene, const std::vector<InstanceFrame>& frames,
                    const Textures& textures, const Hit& hit, const Vec3& direction, float cone_m) {
-    const scene::Instance& instance = scene.instances[hit.instance];
-    const scene::Mesh& mesh = scene.meshes[instance.mesh.index];
-    const scene::Material& material = scene.materials[mesh.material.index];
-    const Corners corners = corners_of(mesh, hit);
+    Point point(scene, textures, hit);
     Surface s;
     s.instance = hit.instance;
-    s.material = mesh.material.index;
+    s.material = point.mesh.material.index;
     // From the corners, not along the ray: the error does not grow with the distance.
-    s.position_m = Vec3(instance.world_from_object * Vec4(corners.mix(mesh.positions_m), 1.0F));
+    s.position_m = position_m(point.instance, point.mesh, point.corners);
     const float area2 = math::length(hit.normal);
     const Vec3 face = hit.normal / std::max(area2, 1e-30F);
     const float facing = math::dot(face, direction);
     s.front = facing <= 0.0F;
-    Lookup lookup(mesh, material, textures, corners);
-    lookup.set_footprint(area2, cone_m, std::fabs(facing));
-    fill_material(mesh, material, corners, lookup, s);
+    point.set_footprint(area2, cone_m, std::fabs(facing));
+    fill_material(point, s);
     const float side = s.front ? 1.0F : -1.0F;
     s.face_normal = face * side;
-    s.normal = shading_normal(scene, instance, mesh, frames[hit.instance].normal_from_object,
-                              corners, lookup, material.values.normal_scale) *
-               side;
+    s.normal = shading_normal(scene, frames[hit.instance].normal_from_object, point) * side;
     // As far along the normal as the error may lie along every axis (Pharr, Jakob & Humphreys 2023,
     // Section 6.8.6).
     const Vec3 spread = glm::abs(s.face_normal);
@@ -180,50 +185,27 @@ Surface surface_at(const scene::Scene& scene, const std::vector<InstanceFrame>& 
     return s;
 }
 
-float opacity_at(const scene::Scene& scene, const Textures& textures, const Hit& hit) {
-    const scene::Mesh& mesh = scene.meshes[scene.instances[hit.instance].mesh.index];
-    const scene::Material& material = scene.materials[mesh.material.index];
-    const Corners corners = corners_of(mesh, hit);
-    const Lookup lookup(mesh, material, textures, corners);
-    return std::clamp(base_color_opacity(mesh, material, corners, lookup).w, 0.0F, 1.0F);
-}
-
 float coverage_at(const scene::Scene& scene, const Textures& textures, const Hit& hit) {
-    const scene::Mesh& mesh = scene.meshes[scene.instances[hit.instance].mesh.index];
-    const scene::Material& material = scene.materials[mesh.material.index];
+    const Point point(scene, textures, hit);
+    const scene::Material& material = point.material;
     if (material.alpha_mode == scene::AlphaMode::opaque) return 1.0F;
-    const float opacity = opacity_at(scene, textures, hit);
+    const float opacity = std::clamp(base_color_opacity(point).w, 0.0F, 1.0F);
     if (material.alpha_mode == scene::AlphaMode::blend) return opacity;
     return opacity < material.values.alpha_cutoff ? 0.0F : 1.0F;
 }
 
-Vec3 emission_factor(const scene::Scene& scene, const Hit& hit) {
-    const scene::Mesh& mesh = scene.meshes[scene.instances[hit.instance].mesh.index];
-    const tables::MaterialValues& v = scene.materials[mesh.material.index].values;
-    return v.emissive * v.emissive_strength;
+Vec3 emission_factor(const scene::Material& material) {
+    return material.values.emissive * material.values.emissive_strength;
 }
 
 Vec3 emission_at(const scene::Scene& scene, const Textures& textures, const Hit& hit) {
-    const scene::Mesh& mesh = scene.meshes[scene.instances[hit.instance].mesh.index];
-    const scene::Material& material = scene.materials[mesh.material.index];
-    const Corners corners = corners_of(mesh, hit);
-    const Lookup lookup(mesh, material, textures, corners);
-    const Vec3 factor = emission_factor(scene, hit);
-    return lookup.has(TextureSlot::emissive_texture)
-               ? factor * Vec3(lookup(TextureSlot::emissive_texture))
-               : factor;
+    return emission({scene, textures, hit});
 }
 
 Vec3 position_at(const scene::Scene& scene, const Hit& hit) {
     const scene::Instance& instance = scene.instances[hit.instance];
     const scene::Mesh& mesh = scene.meshes[instance.mesh.index];
-    return Vec3(instance.world_from_object *
-                Vec4(corners_of(mesh, hit).mix(mesh.positions_m), 1.0F));
-}
-
-bool is_double_sided(const scene::Scene& scene, std::uint32_t instance) {
-    return scene.materials[scene.meshes[scene.instances[instance].mesh.index].material.index]
-        .double_sided;
+    return position_m(instance, mesh, corners_of(mesh, hit));
 }
 
 }  // namespace facet::trace

@@ -42,19 +42,15 @@ struct InstanceFrame {
                                  const std::vector<InstanceFrame>& frames, const Textures& textures,
                                  const Hit& hit, const math::Vec3& direction, float cone_m);
 
-/// Coverage alone, from the finest level, for alpha tests.
-[[nodiscard]] float opacity_at(const scene::Scene& scene, const Textures& textures, const Hit& hit);
-
-/// Share of light that the surface takes there: 1 where it is opaque, 0 in a mask's hole, a blend's
-/// opacity.
+/// Share of light that the surface takes there, from the finest level: 1 where it is opaque, 0 in a
+/// mask's hole, a blend's opacity.
 [[nodiscard]] float coverage_at(const scene::Scene& scene, const Textures& textures,
                                 const Hit& hit);
 /// Radiance emitted there, from the finest level, nit.
 [[nodiscard]] math::Vec3 emission_at(const scene::Scene& scene, const Textures& textures,
                                      const Hit& hit);
 /// The same without its texture.
-[[nodiscard]] math::Vec3 emission_factor(const scene::Scene& scene, const Hit& hit);
+[[nodiscard]] math::Vec3 emission_factor(const scene::Material& material);
 [[nodiscard]] math::Vec3 position_at(const scene::Scene& scene, const Hit& hit);
-[[nodiscard]] bool is_double_sided(const scene::Scene& scene, std::uint32_t instance);
 
 }  // namespace facet::trace

@@ -32,9 +32,6 @@ constexpr std::uint32_t trusted_samples = 32;
 /// cannot show (Pharr, Jakob & Humphreys 2023, Section 10.1.3).
 constexpr float cone_share_min = 0.125F;
 
-/// AOVs have no noise but the edges': as many as the rasteriser's finest quality half.
-constexpr std::uint32_t most_aov_samples = 16;
-
 struct TileCounts {
     std::uint64_t paths = 0;
     std::uint64_t rays = 0;
@@ -195,15 +192,7 @@ std::vector<image::Layer> Tracer::aovs(const TraceSettings& settings,
                                        base::ThreadPool& pool) const {
     const World world = impl_->world(settings.bounces);
     const CameraRays camera(impl_->inputs.camera, settings.picture);
-    return trace_aovs(world, camera,
-                      {.picture = settings.picture,
-                       .x = settings.x,
-                       .y = settings.y,
-                       .size = settings.size,
-                       .samples = std::min(settings.samples, most_aov_samples),
-                       .seed = settings.seed,
-                       .aovs = aovs},
-                      pool);
+    return trace_aovs(world, camera, settings, aovs, pool);
 }
 
 }  // namespace facet::trace

@@ -20,16 +20,13 @@ enum Unit : GLuint {
     ids_unit
 };
 
-const tables::AovRow& row_of(tables::Aov aov) {
-    return tables::aovs[static_cast<std::size_t>(aov)];
-}
-
 }  // namespace
 
 base::Result<gl::Program> AovPass::make(const gl::Context& gl, tables::Aov aov) const {
-    auto program = gl::build_program(gl, *sources_,
-                                     {"frame/full_screen.vert", "frame/aov/aov.frag",
-                                      fmt::format("#define FACET_AOV {}\n", row_of(aov).glsl)});
+    auto program =
+        gl::build_program(gl, *sources_,
+                          {"frame/full_screen.vert", "frame/aov/aov.frag",
+                           fmt::format("#define FACET_AOV {}\n", tables::row(aov).glsl)});
     if (!program) return program;
     gl::bind_block(gl, *program, "ViewBlock", view_binding);
     gl::bind_sampler(gl, *program, "gbuffer_albedo", albedo_unit);
@@ -67,7 +64,7 @@ base::Status AovPass::run(const gl::Context& gl, const GBuffer& gbuffer, tables:
                           const gl::VertexArray& empty, math::Extent size,
                           const std::vector<AovTarget>& targets) {
     for (const AovTarget& target : targets) {
-        if (row_of(target.aov).average != average) continue;
+        if (tables::row(target.aov).average != average) continue;
         const auto program = programs_.get(target.aov, [&](tables::Aov a) { return make(gl, a); });
         if (!program) return tl::unexpected(program.error());
         gl::begin_draw(gl, target.framebuffer, size, **program,
@@ -85,7 +82,7 @@ base::Status AovPass::run(const gl::Context& gl, const GBuffer& gbuffer, tables:
 
 image::Image read_aov(const gl::Context& gl, const AovTarget& target, math::Extent size,
                       std::uint32_t frame_count) {
-    const tables::AovRow& row = row_of(target.aov);
+    const tables::AovRow& row = tables::row(target.aov);
     const image::Image sums = read_radiance(gl, target.framebuffer, size);
     const auto channels = static_cast<std::uint32_t>(row.channels.size());
     const float share =

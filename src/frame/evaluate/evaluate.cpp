@@ -6,6 +6,7 @@
 #include "brdf/glsl_text.h"
 #include "gl/objects.h"
 #include "gl/pipeline.h"
+#include "gl/shader.h"
 
 #include <algorithm>
 #include <array>
@@ -13,11 +14,11 @@
 namespace facet::frame {
 namespace {
 
-/// Questions a draw: 2048 x 512 texels in, a third of that out.
+/// Questions a draw: 2048 x 510 texels in, a third of that out.
 constexpr std::uint32_t across = 2048;
 constexpr std::uint32_t down = 170;
 
-void pack(std::span<const Question> questions, std::vector<math::Vec4>& texels) {
+void pack(std::span<const brdf::Question> questions, std::vector<math::Vec4>& texels) {
     const auto f = [](double x) { return static_cast<float>(x); };
     for (std::size_t i = 0; i < questions.size(); ++i) {
         const auto& [term, s, at] = questions[i];
@@ -48,7 +49,7 @@ public:
         return out;
     }
 
-    void run(const gl::Context& gl, std::span<const Question> questions,
+    void run(const gl::Context& gl, std::span<const brdf::Question> questions,
              std::vector<float>& answers) {
         std::vector<math::Vec4> texels(questions_spec().size.pixels());
         pack(questions, texels);
@@ -106,7 +107,7 @@ private:
 
 base::Result<std::vector<float>> evaluate(const gl::Context& gl, const std::filesystem::path& glsl,
                                           const tables::BrdfChoice& choice,
-                                          std::span<const Question> questions) {
+                                          std::span<const brdf::Question> questions) {
     tables::BrdfChoice alike = choice;
     alike.environment_masking = alike.masking;
     auto evaluator = Evaluator::create(gl, glsl, alike);

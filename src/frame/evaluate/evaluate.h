@@ -4,7 +4,6 @@
 
 #include "brdf/query.h"
 #include "gl/context.h"
-#include "gl/shader.h"
 
 #include <filesystem>
 #include <span>
@@ -12,19 +11,12 @@
 
 namespace facet::frame {
 
-/// One question: brdf::Queries::value's arguments.
-struct Question {
-    brdf::QueryTerm term = brdf::QueryTerm::full;
-    brdf::QuerySurface surface;
-    brdf::LightNode at;
-};
-
 /// Answers in the order of the questions, float32, with the table that the rasteriser looks its
 /// albedo up in. Lights and environment are masked alike, by `choice.masking`. `glsl`: the folder
 /// of the shaders. Errors: those of the driver.
 [[nodiscard]] base::Result<std::vector<float>> evaluate(const gl::Context& gl,
                                                         const std::filesystem::path& glsl,
                                                         const tables::BrdfChoice& choice,
-                                                        std::span<const Question> questions);
+                                                        std::span<const brdf::Question> questions);
 
 }  // namespace facet::frame
