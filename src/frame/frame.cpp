@@ -56,28 +56,34 @@ private:
 base::Result<Frame> Frame::create(const gl::Context& gl, const gl::ShaderSources& sources,
                                   const FrameSpec& spec) {
     Frame frame(sources, spec);
-    const math::Extent size = spec.region.size;
-    auto gbuffer = GBuffer::create(gl, {.size = size,
-                                        .emissive = spec.emissive || wants_emissive(spec.aovs),
-                                        .ids = wants_ids(spec.aovs)});
-    if (!gbuffer) return tl::unexpected(gbuffer.error());
-    frame.gbuffer_ = std::move(*gbuffer);
-    auto radiance = RadianceTarget::create(gl, size, frame.gbuffer_.depth);
-    if (!radiance) return tl::unexpected(radiance.error());
-    frame.radiance_ = std::move(*radiance);
     auto accumulate = AccumulatePass::create(gl, sources);
     if (!accumulate) return tl::unexpected(accumulate.error());
     frame.accumulate_pass_ = std::move(*accumulate);
-    auto aovs = frame.aov_pass_.make_targets(gl, spec.aovs, frame.gbuffer_);
-    if (!aovs) return tl::unexpected(aovs.error());
-    frame.aov_targets_ = std::move(*aovs);
     frame.light_buffers_ = make_light_buffers(gl);
     frame.view_block_ = gl::make_buffer(gl, {}, GL_STREAM_DRAW);
     frame.empty_ = gl::make_vertex_array(gl);
     // Faces of the prefiltered cube are filtered across their edges.
     gl.api().Enable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
-    if (auto status = gl.check("frame targets"); !status) return tl::unexpected(status.error());
+    if (auto made = frame.resize(gl, spec); !made) return tl::unexpected(made.error());
     return frame;
+}
+
+base::Status Frame::resize(const gl::Context& gl, const FrameSpec& spec) {
+    spec_ = spec;
+    accumulator_.reset();
+    const math::Extent size = spec.region.size;
+    auto gbuffer = GBuffer::create(gl, {.size = size,
+                                        .emissive = spec.emissive || wants_emissive(spec.aovs),
+                                        .ids = wants_ids(spec.aovs)});
+    if (!gbuffer) return tl::unexpected(gbuffer.error());
+    gbuffer_ = std::move(*gbuffer);
+    auto radiance = RadianceTarget::create(gl, size, gbuffer_.depth);
+    if (!radiance) return tl::unexpected(radiance.error());
+    radiance_ = std::move(*radiance);
+    auto aovs = aov_pass_.make_targets(gl, spec.aovs, gbuffer_);
+    if (!aovs) return tl::unexpected(aovs.error());
+    aov_targets_ = std::move(*aovs);
+    return gl.check("frame targets");
 }
 
 void Frame::set_view(const gl::Context& gl, const FrameInputs& in,

@@ -49,6 +49,9 @@ public:
                                                     const gl::ShaderSources& sources,
                                                     const FrameSpec& spec);
 
+    /// Other targets of another size; programs stay, AOV targets and sums are empty again. Errors:
+    /// limit_reached.
+    [[nodiscard]] base::Status resize(const gl::Context& gl, const FrameSpec& spec);
     /// Draws sample `index` of `count` and adds it, unless it is the only one.
     [[nodiscard]] base::Status draw(const gl::Context& gl, const FrameInputs& in,
                                     std::uint32_t index, std::uint32_t count,
@@ -71,6 +74,9 @@ public:
     }
     [[nodiscard]] std::vector<image::Layer> read_aovs(const gl::Context& gl,
                                                       std::uint32_t count) const;
+    /// What display() drew last: RGBA, rows from the bottom.
+    [[nodiscard]] const gl::Texture& display_texture() const { return display_pass_.texture(); }
+    [[nodiscard]] const FrameSpec& spec() const { return spec_; }
     [[nodiscard]] math::Extent size() const { return spec_.region.size; }
 
 private:

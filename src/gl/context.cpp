@@ -61,6 +61,13 @@ struct Context::State {
         version = text(GL_VERSION);
         return {};
     }
+
+    void send_messages(base::Log& log) const {
+        if (!debug_build && !log.shows(base::LogLevel::debug)) return;
+        api.Enable(GL_DEBUG_OUTPUT);
+        api.Enable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
+        api.DebugMessageCallback(on_debug_message, &log);
+    }
 };
 
 Context::Context(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -79,11 +86,7 @@ base::Result<Context> Context::create(Backend backend, base::Log& log) {
             state->platform = std::move(*platform);
             failure = state->describe();
             if (failure.reason.empty()) {
-                if (debug_build || log.shows(base::LogLevel::debug)) {
-                    state->api.Enable(GL_DEBUG_OUTPUT);
-                    state->api.Enable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
-                    state->api.DebugMessageCallback(on_debug_message, &log);
-                }
+                state->send_messages(log);
                 log.debug("{}: {}, {}", way.name, state->renderer, state->version);
                 return Context(std::move(state));
             }
@@ -98,6 +101,19 @@ base::Result<Context> Context::create(Backend backend, base::Log& log) {
                        .what = "no usable GL backend",
                        .found = reasons,
                        .remedy = remedy});
+}
+
+base::Result<Context> Context::adopt(Loader loader, base::Log& log) {
+    auto state = std::make_unique<State>();
+    state->platform = {"window", loader, {}};
+    if (const Failure failure = state->describe(); !failure.reason.empty())
+        return base::fail({.code = base::ErrorCode::no_backend,
+                           .what = "the window's GL cannot be used",
+                           .found = failure.reason,
+                           .remedy = failure.remedy});
+    state->send_messages(log);
+    log.debug("window: {}, {}", state->renderer, state->version);
+    return Context(std::move(state));
 }
 
 const Api& Context::api() const noexcept { return state_->api; }

@@ -31,12 +31,15 @@ public:
     /// Tries, for `automatic`, EGL with a hardware device, EGL surfaceless, OSMesa, in that order.
     /// Errors: no_backend, with each one's reason and remedy.
     [[nodiscard]] static base::Result<Context> create(Backend backend, base::Log& log);
+    /// The context that a window has made current on this thread, with the window's loader; the
+    /// window outlives it. Errors: no_backend, naming what the driver lacks.
+    [[nodiscard]] static base::Result<Context> adopt(Loader loader, base::Log& log);
     ~Context();
     Context(Context&&) noexcept;
     Context& operator=(Context&&) noexcept;
 
     [[nodiscard]] const Api& api() const noexcept;
-    [[nodiscard]] const std::string& backend() const noexcept;   ///< "egl" or "osmesa"
+    [[nodiscard]] const std::string& backend() const noexcept;   ///< "egl", "osmesa" or "window"
     [[nodiscard]] const std::string& renderer() const noexcept;  ///< GL_RENDERER
     [[nodiscard]] const std::string& version() const noexcept;   ///< GL_VERSION
     /// Whether the GL's memory is ours: reading back costs a copy and no wait.

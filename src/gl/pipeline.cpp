@@ -19,7 +19,11 @@ void set_pipeline(const Context& gl, const Pipeline& pipeline) {
     api.DepthMask(pipeline.depth_write ? GL_TRUE : GL_FALSE);
     enable(api, GL_BLEND, pipeline.blend != Blend::off);
     api.BlendEquation(GL_FUNC_ADD);
-    api.BlendFunc(GL_ONE, pipeline.blend == Blend::over ? GL_ONE_MINUS_SRC_ALPHA : GL_ONE);
+    const bool over = pipeline.blend == Blend::over || pipeline.blend == Blend::over_straight;
+    const GLenum to = over ? GL_ONE_MINUS_SRC_ALPHA : GL_ONE;
+    const GLenum from = pipeline.blend == Blend::over_straight ? GL_SRC_ALPHA : GL_ONE;
+    api.BlendFuncSeparate(from, to, GL_ONE, to);
+    enable(api, GL_SCISSOR_TEST, pipeline.scissor);
     enable(api, GL_CULL_FACE, pipeline.cull != Cull::none);
     api.CullFace(pipeline.cull == Cull::front ? GL_FRONT : GL_BACK);
     api.FrontFace(GL_CCW);

@@ -10,7 +10,8 @@
 
 namespace facet::gl {
 
-enum class Blend { off, add, over };  ///< over: associated alpha
+/// over: associated alpha; over_straight: straight alpha.
+enum class Blend { off, add, over, over_straight };
 enum class Cull { none, back, front };
 
 struct Pipeline {
@@ -18,6 +19,7 @@ struct Pipeline {
     bool depth_write = false;
     Blend blend = Blend::off;
     Cull cull = Cull::none;
+    bool scissor = false;
 };
 
 /// Binds the framebuffer with a viewport of its size, the program, and sets every state.

@@ -116,7 +116,10 @@ base::Result<BenchResult> bench(const BenchRequest& request, base::Log& log) {
     if (!plan) return tl::unexpected(plan.error());
     base::ThreadPool pool(request.settings.threads);
     Rendered loaded;
-    auto session = Session::create({request.scene, request.settings}, *plan, pool, log, loaded);
+    auto opened = open({request.scene, request.settings}, *plan, pool, log, loaded);
+    if (!opened) return tl::unexpected(opened.error());
+    auto session = Session::create(opened->gl, std::move(opened->job), request.settings, *plan,
+                                   pool, loaded.warnings);
     if (!session) return tl::unexpected(session.error());
     BenchResult result{
         .size = loaded.size, .backend = loaded.backend, .threads = pool.thread_count()};

@@ -8,6 +8,8 @@
 #include "scene/load.h"
 #include "scene/set_path.h"
 
+#include <utility>
+
 namespace facet::render {
 namespace {
 
@@ -24,7 +26,62 @@ base::Result<scene::Loaded> load_scene(const Request& request, const Plan& plan,
     return scene::load_bytes(*bytes, "-", options, plan.limits, pool);
 }
 
+base::Status add_lights(const tables::Settings& settings, const Plan& plan, scene::Scene& scene) {
+    if (settings.no_file_lights) scene.lights.clear();
+    for (const std::string& text : settings.light) {
+        auto light = scene::parse_light(text);
+        if (!light) return tl::unexpected(base::in_file(light.error(), "--light"));
+        scene.lights.push_back(std::move(*light));
+    }
+    if (plan.reference && !settings.compare) return {};
+    for (const scene::Light& light : scene.lights)
+        if (scene::area_m2(light) > 0.0F)
+            return base::fail({.code = base::ErrorCode::feature_missing,
+                               .file = "--light",
+                               .what = "lights with a size are not in the rasteriser yet",
+                               .found = light.name,
+                               .remedy = "--reference SPP traces them"});
+    return {};
+}
+
+base::Status edit(const tables::Settings& settings, const Plan& plan, scene::Scene& scene) {
+    if (auto added = add_lights(settings, plan, scene); !added) return added;
+    for (const std::string& text : settings.set)
+        if (auto set = scene::apply_set(scene, text); !set)
+            return tl::unexpected(base::in_file(set.error(), "--set"));
+    return {};
+}
+
 }  // namespace
+
+base::Status apply_edits(const tables::Settings& settings, const Plan& plan, Job& job) {
+    scene::Scene& scene = job.scene;
+    auto materials = std::exchange(scene.materials, job.originals.materials);
+    auto lights = std::exchange(scene.lights, job.originals.lights);
+    auto images = scene.images;
+    scene.images.resize(job.originals.image_count);
+    auto edited = edit(settings, plan, scene);
+    if (edited) return edited;
+    scene.materials = std::move(materials);
+    scene.lights = std::move(lights);
+    scene.images = std::move(images);
+    return edited;
+}
+
+base::Status load_environment(const tables::Settings& settings, const Plan& plan,
+                              base::ThreadPool& pool, Job& job) {
+    auto environment = scene::load_environment(settings.env, plan.limits, pool, job.warnings);
+    if (!environment) return tl::unexpected(base::in_file(environment.error(), "--env"));
+    job.environment = std::move(*environment);
+    return {};
+}
+
+base::Status aim_camera(const tables::Settings& settings, Job& job) {
+    auto camera = scene::resolve_camera(job.scene, settings.camera, settings.fov, settings.size);
+    if (!camera) return tl::unexpected(base::in_file(camera.error(), "--camera"));
+    job.camera = std::move(*camera);
+    return {};
+}
 
 base::Result<Job> load_job(const Request& request, const Plan& plan, base::ThreadPool& pool) {
     const tables::Settings& settings = request.settings;
@@ -33,29 +90,10 @@ base::Result<Job> load_job(const Request& request, const Plan& plan, base::Threa
     Job job{.scene = std::move(loaded->scene),
             .warnings = std::move(loaded->warnings),
             .reads = std::move(loaded->reads)};
-    if (settings.no_file_lights) job.scene.lights.clear();
-    for (const std::string& text : settings.light) {
-        auto light = scene::parse_light(text);
-        if (!light) return tl::unexpected(base::in_file(light.error(), "--light"));
-        job.scene.lights.push_back(std::move(*light));
-    }
-    if (!plan.reference || settings.compare)
-        for (const scene::Light& light : job.scene.lights)
-            if (scene::area_m2(light) > 0.0F)
-                return base::fail({.code = base::ErrorCode::feature_missing,
-                                   .file = "--light",
-                                   .what = "lights with a size are not in the rasteriser yet",
-                                   .found = light.name,
-                                   .remedy = "--reference SPP traces them"});
-    for (const std::string& text : settings.set)
-        if (auto set = scene::apply_set(job.scene, text); !set)
-            return tl::unexpected(base::in_file(set.error(), "--set"));
-    auto environment = scene::load_environment(settings.env, plan.limits, pool, job.warnings);
-    if (!environment) return tl::unexpected(base::in_file(environment.error(), "--env"));
-    job.environment = std::move(*environment);
-    auto camera = scene::resolve_camera(job.scene, settings.camera, settings.fov, settings.size);
-    if (!camera) return tl::unexpected(base::in_file(camera.error(), "--camera"));
-    job.camera = std::move(*camera);
+    job.originals = {job.scene.materials, job.scene.lights, job.scene.images.size()};
+    if (auto s = apply_edits(settings, plan, job); !s) return tl::unexpected(s.error());
+    if (auto s = load_environment(settings, plan, pool, job); !s) return tl::unexpected(s.error());
+    if (auto s = aim_camera(settings, job); !s) return tl::unexpected(s.error());
     return job;
 }
 

@@ -13,8 +13,16 @@
 
 namespace facet::render {
 
+/// What the settings change in a scene, as it was loaded.
+struct Originals {
+    std::vector<scene::Material> materials;
+    std::vector<scene::Light> lights;
+    std::size_t image_count = 0;
+};
+
 struct Job {
     scene::Scene scene;
+    Originals originals;
     scene::Environment environment;
     scene::Camera camera;
     base::Warnings warnings;
@@ -24,5 +32,15 @@ struct Job {
 /// Loads, applies --no-file-lights, --light and --set, and resolves the camera.
 [[nodiscard]] base::Result<Job> load_job(const Request& request, const Plan& plan,
                                          base::ThreadPool& pool);
+
+/// Makes the job's materials and lights anew: those loaded, with what the settings change. On an
+/// error the job is as it was.
+[[nodiscard]] base::Status apply_edits(const tables::Settings& settings, const Plan& plan,
+                                       Job& job);
+/// Loads the environment that the settings name.
+[[nodiscard]] base::Status load_environment(const tables::Settings& settings, const Plan& plan,
+                                            base::ThreadPool& pool, Job& job);
+/// Resolves the camera that the settings name.
+[[nodiscard]] base::Status aim_camera(const tables::Settings& settings, Job& job);
 
 }  // namespace facet::render

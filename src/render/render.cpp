@@ -128,9 +128,13 @@ base::Result<Rendered> render(const Request& request, base::Log& log,
     if (!plan) return tl::unexpected(plan.error());
     base::ThreadPool pool(request.settings.threads);
     Rendered out;
-    auto session = Session::create(request, *plan, pool, log, out);
-    if (!session) return tl::unexpected(session.error());
+    auto opened = open(request, *plan, pool, log, out);
+    if (!opened) return tl::unexpected(opened.error());
     Stopwatch watch;
+    auto session = Session::create(opened->gl, std::move(opened->job), request.settings, *plan,
+                                   pool, out.warnings);
+    if (!session) return tl::unexpected(session.error());
+    out.ms.upload = watch.lap_ms();
     if (auto drawn = draw(*session, request, *plan, {pool, progress}, out); !drawn)
         return tl::unexpected(drawn.error());
     out.ms.render = watch.lap_ms();

@@ -12,56 +12,72 @@
 
 namespace facet::render {
 
-base::Result<Session> Session::create(const Request& request, const Plan& plan,
-                                      base::ThreadPool& pool, base::Log& log, Rendered& out) {
+base::Result<Opened> open(const Request& request, const Plan& plan, base::ThreadPool& pool,
+                          base::Log& log, Rendered& out) {
     Stopwatch watch;
-    Session session(plan, pool);
     // The context comes up while the files are read: it waits for the driver, they for the decoder.
     auto loading = std::async(std::launch::async, [&] { return load_job(request, plan, pool); });
     auto gl = gl::Context::create(plan.backend, log);
     auto job = loading.get();
     if (!job) return tl::unexpected(job.error());
     if (!gl) return tl::unexpected(gl.error());
-    session.gl_ = std::move(*gl);
-    session.job_ = std::move(*job);
     out.size = plan.region.size;
     out.ms.load = watch.lap_ms();
-    out.backend = session.gl_->backend() + " (" + session.gl_->renderer() + ")";
-    out.triangles = session.job_.scene.triangle_count();
-    out.materials = session.job_.scene.materials.size();
-    out.warnings = session.job_.warnings;
-    out.reads = session.job_.reads;
-    if (auto s = session.upload(request.settings, out.warnings); !s)
-        return tl::unexpected(s.error());
-    out.ms.upload = watch.lap_ms();
+    out.backend = gl->backend() + " (" + gl->renderer() + ")";
+    out.triangles = job->scene.triangle_count();
+    out.materials = job->scene.materials.size();
+    out.warnings = job->warnings;
+    out.reads = job->reads;
+    return Opened{std::move(*gl), std::move(*job)};
+}
+
+base::Result<Session> Session::create(const gl::Context& gl, Job job,
+                                      const tables::Settings& settings, const Plan& plan,
+                                      base::ThreadPool& pool, base::Warnings& warnings) {
+    Session session(gl, std::move(job), pool);
+    session.settings_ = settings;
+    session.plan_ = plan;
+    auto scene = frame::upload_scene(gl, session.job_.scene, session.filtering(), pool);
+    if (!scene) return tl::unexpected(scene.error());
+    session.scene_ = std::move(*scene);
+    if (auto s = session.upload_environment(warnings); !s) return tl::unexpected(s.error());
+    session.set_lights(session.job_.scene.lights);
+    if (auto s = session.make_frame(); !s) return tl::unexpected(s.error());
     return session;
 }
 
-base::Status Session::upload(const tables::Settings& settings, base::Warnings& warnings) {
+frame::Filtering Session::filtering() const {
+    return plan_.is_draft ? frame::Filtering::fast : frame::Filtering::trilinear;
+}
+
+frame::FrameSpec Session::frame_spec() const {
+    return {.picture = plan_.picture,
+            .region = plan_.region,
+            .emissive = scene_.emits,
+            .aovs = plan_.aovs};
+}
+
+base::Status Session::upload_environment(base::Warnings& warnings) {
+    const brdf::AlbedoTable table = brdf::albedo_table(plan_.brdf);
+    auto maps = frame::upload_environment(*gl_, job_.environment,
+                                          {settings_.env_rotation, settings_.env_intensity},
+                                          table.texels, table.size, *pool_, warnings);
+    if (!maps) return tl::unexpected(maps.error());
+    environment_ = std::move(*maps);
+    return {};
+}
+
+base::Status Session::make_frame() {
     const auto folder = base::data_folder();
     if (!folder) return tl::unexpected(folder.error());
-    auto brdf_text = brdf::glsl_text(plan_->brdf);
+    auto brdf_text = brdf::glsl_text(plan_.brdf);
     if (!brdf_text) return tl::unexpected(brdf_text.error());
-    sources_ = std::make_unique<gl::ShaderSources>();
-    *sources_ = {*folder / "glsl", {{"generated/brdf.glsl", *brdf_text}}};
-    const auto filtering = plan_->is_draft ? frame::Filtering::fast : frame::Filtering::trilinear;
-    auto scene = frame::upload_scene(*gl_, job_.scene, filtering, *pool_);
-    if (!scene) return tl::unexpected(scene.error());
-    scene_ = std::move(*scene);
-    const brdf::AlbedoTable table = brdf::albedo_table(plan_->brdf);
-    auto environment = frame::upload_environment(*gl_, job_.environment,
-                                                 {settings.env_rotation, settings.env_intensity},
-                                                 table.texels, table.size, *pool_, warnings);
-    if (!environment) return tl::unexpected(environment.error());
-    environment_ = std::move(*environment);
-    lights_ = std::make_unique<frame::PackedLights>(frame::pack_lights(job_.scene.lights));
-    auto frame = frame::Frame::create(*gl_, *sources_,
-                                      {.picture = plan_->picture,
-                                       .region = plan_->region,
-                                       .emissive = scene_.emits,
-                                       .aovs = plan_->aovs});
+    auto sources = std::make_unique<gl::ShaderSources>();
+    *sources = {*folder / "glsl", {{"generated/brdf.glsl", *brdf_text}}};
+    auto frame = frame::Frame::create(*gl_, *sources, frame_spec());
     if (!frame) return tl::unexpected(frame.error());
     frame_ = std::move(*frame);
+    sources_ = std::move(sources);
     return {};
 }
 
@@ -84,13 +100,13 @@ double Session::measure_exposure(std::uint32_t count) {
 
 frame::DisplaySettings Session::display_settings(double exposure, std::uint32_t count) const {
     frame::DisplaySettings settings{
-        .tonemap = plan_->tonemap,
+        .tonemap = plan_.tonemap,
         .exposure = exposure,
         .frame_count = count,
-        .sample = plan_->display_sample,
-        .dither = !plan_->is_draft && plan_->display_sample == image::Sample::u8};
-    if (plan_->background.kind == frame::BackgroundKind::color)
-        settings.background = plan_->background.color;
+        .sample = plan_.display_sample,
+        .dither = !plan_.is_draft && plan_.display_sample == image::Sample::u8};
+    if (plan_.background.kind == frame::BackgroundKind::color)
+        settings.background = plan_.background.color;
     return settings;
 }
 
@@ -103,8 +119,8 @@ base::Status Session::display_picture(const image::Image& radiance, double expos
 }
 
 void Session::lay_over_background(image::Image& radiance, double exposure) const {
-    if (plan_->background.kind != frame::BackgroundKind::color) return;
-    const math::Vec3 under = plan_->background.color / static_cast<float>(exposure);
+    if (plan_.background.kind != frame::BackgroundKind::color) return;
+    const math::Vec3 under = plan_.background.color / static_cast<float>(exposure);
     const auto values = radiance.as<float>();
     for (std::size_t i = 0; i < values.size(); i += 4) {
         for (std::size_t c = 0; c < 3; ++c)

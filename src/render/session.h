@@ -8,18 +8,35 @@
 #include "render/job.h"
 #include "render/plan.h"
 
+#include <memory>
 #include <optional>
-#include <string>
 
 namespace facet::render {
 
+/// A GL context and what to draw with it.
+struct Opened {
+    gl::Context gl;
+    Job job;
+};
+/// Loads while the context comes up. Fills the times, counts and warnings of `out`. Errors: as
+/// render().
+[[nodiscard]] base::Result<Opened> open(const Request& request, const Plan& plan,
+                                        base::ThreadPool& pool, base::Log& log, Rendered& out);
+
 class Session {
 public:
-    /// Loads while the context comes up, then uploads. Fills the times, counts and warnings of
-    /// `out`. `plan`, `pool` and `log` outlive the session. Errors: as render().
-    [[nodiscard]] static base::Result<Session> create(const Request& request, const Plan& plan,
-                                                      base::ThreadPool& pool, base::Log& log,
-                                                      Rendered& out);
+    /// Uploads. `gl` and `pool` outlive the session. Errors: as render().
+    [[nodiscard]] static base::Result<Session> create(const gl::Context& gl, Job job,
+                                                      const tables::Settings& settings,
+                                                      const Plan& plan, base::ThreadPool& pool,
+                                                      base::Warnings& warnings);
+    /// Draws what other settings say from now on, doing again only what they change; `plan` is made
+    /// from them. The scene's file stays. On an error the session draws what it drew before, but
+    /// for a lack of memory.
+    [[nodiscard]] base::Status update(const tables::Settings& settings, const Plan& plan,
+                                      base::Warnings& warnings);
+    /// Compiles every shader from its file again. On an error those of before go on.
+    [[nodiscard]] base::Status reload_shaders();
 
     [[nodiscard]] base::Status draw(std::uint32_t index, std::uint32_t count,
                                     frame::PassTimes* times = nullptr);
@@ -29,8 +46,11 @@ public:
     /// Encodes for a screen, on the GL; read_display() fetches the picture.
     [[nodiscard]] base::Status display(double exposure, std::uint32_t count);
     [[nodiscard]] image::Image read_display() const { return frame_->read_display(*gl_); }
+    /// What display() drew: rows from the bottom.
+    [[nodiscard]] const gl::Texture& display_texture() const { return frame_->display_texture(); }
     [[nodiscard]] const scene::Scene& scene() const { return job_.scene; }
     [[nodiscard]] const Job& job() const { return job_; }
+    [[nodiscard]] const Plan& plan() const { return plan_; }
     /// Replaces the scene's lights from the next frame on.
     void set_lights(std::span<const scene::Light> lights);
     /// display() of a picture that comes from elsewhere: f32 [height, width, 4], nit, associated
@@ -45,16 +65,24 @@ public:
     void finish() const { gl_->finish(); }
 
 private:
-    Session(const Plan& plan, base::ThreadPool& pool) : plan_(&plan), pool_(&pool) {}
+    Session(const gl::Context& gl, Job job, base::ThreadPool& pool)
+        : gl_(&gl), pool_(&pool), job_(std::move(job)) {}
     [[nodiscard]] frame::DisplaySettings display_settings(double exposure,
                                                           std::uint32_t count) const;
-    [[nodiscard]] base::Status upload(const tables::Settings& settings, base::Warnings& warnings);
+    [[nodiscard]] frame::FrameSpec frame_spec() const;
+    [[nodiscard]] frame::Filtering filtering() const;
+    /// The parts of the upload; each from job_, settings_ and plan_.
+    [[nodiscard]] base::Status upload_environment(base::Warnings& warnings);
+    [[nodiscard]] base::Status make_frame();
+    [[nodiscard]] base::Status change(const tables::Settings& settings, const Plan& plan,
+                                      base::Warnings& warnings);
+    [[nodiscard]] base::Status change_scene(const tables::Settings& settings, const Plan& plan);
 
-    const Plan* plan_;
+    const gl::Context* gl_;
     base::ThreadPool* pool_;
-    // Declared first, so that it dies last: every GL object below needs it.
-    std::optional<gl::Context> gl_;
     Job job_;
+    tables::Settings settings_;
+    Plan plan_;
     std::unique_ptr<gl::ShaderSources> sources_;  // passes keep its address
     frame::GpuScene scene_;
     frame::EnvironmentMaps environment_;
@@ -62,7 +90,7 @@ private:
     std::optional<frame::Frame> frame_;
 
     [[nodiscard]] frame::FrameInputs inputs() const {
-        return {scene_, environment_, *lights_, job_.camera, plan_->background};
+        return {scene_, environment_, *lights_, job_.camera, plan_.background};
     }
 };
 

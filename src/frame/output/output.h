@@ -49,6 +49,7 @@ public:
                                    const DisplaySettings& settings, const gl::VertexArray& empty);
     /// What run() drew last: RGBA, sRGB-encoded, straight alpha, rows from the top.
     [[nodiscard]] image::Image read(const gl::Context& gl) const;
+    [[nodiscard]] const gl::Texture& texture() const { return target_.color; }
 
 private:
     struct Target {

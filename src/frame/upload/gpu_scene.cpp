@@ -6,6 +6,7 @@
 #include "frame/upload/upload_meshes.h"
 #include "frame/upload/upload_textures.h"
 
+#include <algorithm>
 #include <cstring>
 
 namespace facet::frame {
@@ -61,8 +62,8 @@ public:
     Uploader(const gl::Context& gl, const scene::Scene& scene, Filtering filtering, GpuScene& out)
         : gl_(gl), scene_(scene), filtering_(filtering), out_(out) {}
 
-    void add_draw(const scene::Instance& instance, const MeshRange& range,
-                  const std::map<TextureUse, std::size_t>& uses) {
+    void add_draw(const scene::Instance& instance) {
+        const MeshRange& range = out_.mesh_ranges[instance.mesh.index];
         const scene::Mesh& mesh = scene_.meshes[instance.mesh.index];
         const scene::Material& material = scene_.materials[mesh.material.index];
         if (range.index_count == 0) return;
@@ -76,7 +77,7 @@ public:
         draw.double_sided = material.double_sided;
         for (std::size_t slot = 0; slot < material.textures.size(); ++slot)
             if (material.textures[slot])
-                draw.textures[slot] = bound(*material.textures[slot], slot, uses);
+                draw.textures[slot] = bound(*material.textures[slot], slot);
         draw.block_offset = add_block(block_of(instance, material, mesh.material.index));
         out_.emits = out_.emits || (!draw.blended && material.values.emissive != Vec3(0.0F) &&
                                     material.values.emissive_strength > 0.0F);
@@ -86,16 +87,16 @@ public:
     void finish() { out_.draw_blocks = gl::make_buffer(gl_, blocks_); }
 
 private:
-    BoundTexture bound(const scene::Texture& texture, std::size_t slot,
-                       const std::map<TextureUse, std::size_t>& uses) {
-        const auto use = uses.find({texture.image.index, tables::material_textures[slot].space});
-        if (use == uses.end()) return {};
+    BoundTexture bound(const scene::Texture& texture, std::size_t slot) {
+        const auto use = out_.textures.find(
+            {scene_.images[texture.image.index].pixels, tables::material_textures[slot].space});
+        if (use == out_.textures.end()) return {};
         const bool color = tables::material_textures[slot].space == tables::Space::srgb;
         const auto spec = sampler_spec(texture, color || filtering_ == Filtering::trilinear);
         auto sampler = out_.samplers.find(spec);
         if (sampler == out_.samplers.end())
             sampler = out_.samplers.emplace(spec, gl::make_sampler(gl_, spec)).first;
-        return {&out_.textures[use->second], &sampler->second};
+        return {&use->second, &sampler->second};
     }
 
     /// Offsets into a uniform buffer must be multiples of a number that is at most 256 everywhere.
@@ -114,20 +115,37 @@ private:
     std::vector<std::byte> blocks_;
 };
 
+std::size_t count_tangents(const scene::Scene& scene) {
+    return static_cast<std::size_t>(
+        std::count_if(scene.meshes.begin(), scene.meshes.end(),
+                      [](const scene::Mesh& mesh) { return !mesh.tangents.empty(); }));
+}
+
 }  // namespace
 
 base::Result<GpuScene> upload_scene(const gl::Context& gl, const scene::Scene& scene,
                                     Filtering filtering, base::ThreadPool& pool) {
     GpuScene out;
-    const auto ranges = upload_meshes(gl, scene, pool, out);
-    const auto uses = upload_textures(gl, scene, pool, out);
-    if (!uses) return tl::unexpected(uses.error());
-    Uploader uploader(gl, scene, filtering, out);
-    for (const scene::Instance& instance : scene.instances)
-        uploader.add_draw(instance, ranges[instance.mesh.index], *uses);
-    uploader.finish();
-    if (auto status = gl.check("upload"); !status) return tl::unexpected(status.error());
+    upload_meshes(gl, scene, pool, out);
+    out.tangent_count = count_tangents(scene);
+    if (auto updated = update_scene(gl, scene, filtering, pool, out); !updated)
+        return tl::unexpected(updated.error());
     return out;
+}
+
+base::Status update_scene(const gl::Context& gl, const scene::Scene& scene, Filtering filtering,
+                          base::ThreadPool& pool, GpuScene& out) {
+    if (const std::size_t count = count_tangents(scene); count != out.tangent_count) {
+        upload_meshes(gl, scene, pool, out);
+        out.tangent_count = count;
+    }
+    if (auto uploaded = upload_textures(gl, scene, pool, out); !uploaded) return uploaded;
+    out.draws.clear();
+    out.emits = false;
+    Uploader uploader(gl, scene, filtering, out);
+    for (const scene::Instance& instance : scene.instances) uploader.add_draw(instance);
+    uploader.finish();
+    return gl.check("upload");
 }
 
 }  // namespace facet::frame

@@ -9,7 +9,9 @@
 
 #include <array>
 #include <map>
+#include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace facet::frame {
@@ -33,12 +35,25 @@ struct Draw {
     bool double_sided = false;
 };
 
+/// Where a mesh lies in the buffers.
+struct MeshRange {
+    GLint base_vertex = 0;
+    std::size_t first_index = 0;
+    GLsizei index_count = 0;
+};
+
+/// Pixels, and whether they hold sRGB or linear numbers: one image can be used as both. Held, so
+/// that an address cannot come to mean other pixels.
+using TextureUse = std::pair<std::shared_ptr<const image::Image>, tables::Space>;
+
 struct GpuScene {
     gl::Buffer vertices;
     gl::Buffer indices;
     gl::VertexArray vertex_array;
+    std::vector<MeshRange> mesh_ranges;
+    std::size_t tangent_count = 0;  ///< meshes that have tangents
     gl::Buffer draw_blocks;
-    std::vector<gl::Texture> textures;
+    std::map<TextureUse, gl::Texture> textures;
     std::map<gl::SamplerSpec, gl::Sampler> samplers;
     std::vector<Draw> draws;
     bool emits = false;  ///< some opaque material has emission
@@ -51,5 +66,10 @@ enum class Filtering { fast, trilinear };
 /// limit).
 [[nodiscard]] base::Result<GpuScene> upload_scene(const gl::Context& gl, const scene::Scene& scene,
                                                   Filtering filtering, base::ThreadPool& pool);
+
+/// Takes over what became different in materials, textures and tangents; geometry else is taken to
+/// be the same. Errors: as upload_scene.
+[[nodiscard]] base::Status update_scene(const gl::Context& gl, const scene::Scene& scene,
+                                        Filtering filtering, base::ThreadPool& pool, GpuScene& out);
 
 }  // namespace facet::frame

@@ -74,9 +74,10 @@ void describe_vertices(const gl::Context& gl, GpuScene& out) {
 
 }  // namespace
 
-std::vector<MeshRange> upload_meshes(const gl::Context& gl, const scene::Scene& scene,
-                                     base::ThreadPool& pool, GpuScene& out) {
-    std::vector<MeshRange> ranges;
+void upload_meshes(const gl::Context& gl, const scene::Scene& scene, base::ThreadPool& pool,
+                   GpuScene& out) {
+    std::vector<MeshRange>& ranges = out.mesh_ranges;
+    ranges.clear();
     std::size_t vertex_count = 0;
     std::size_t index_count = 0;
     for (const scene::Mesh& mesh : scene.meshes) {
@@ -98,7 +99,6 @@ std::vector<MeshRange> upload_meshes(const gl::Context& gl, const scene::Scene& 
     out.indices = gl::make_buffer(gl, std::as_bytes(std::span(indices)));
     out.vertex_array = gl::make_vertex_array(gl);
     describe_vertices(gl, out);
-    return ranges;
 }
 
 }  // namespace facet::frame

@@ -4,19 +4,10 @@
 
 #include "frame/upload/gpu_scene.h"
 
-#include <vector>
-
 namespace facet::frame {
 
-/// Where a mesh lies in the buffers.
-struct MeshRange {
-    GLint base_vertex = 0;
-    std::size_t first_index = 0;
-    GLsizei index_count = 0;
-};
-
-/// Fills `vertices`, `indices` and `vertex_array` of `out`; a range a mesh.
-[[nodiscard]] std::vector<MeshRange> upload_meshes(const gl::Context& gl, const scene::Scene& scene,
-                                                   base::ThreadPool& pool, GpuScene& out);
+/// Fills `vertices`, `indices`, `vertex_array` and `mesh_ranges` of `out`.
+void upload_meshes(const gl::Context& gl, const scene::Scene& scene, base::ThreadPool& pool,
+                   GpuScene& out);
 
 }  // namespace facet::frame

@@ -4,6 +4,8 @@
 
 #include "image/mips.h"
 
+#include <algorithm>
+
 namespace facet::frame {
 namespace {
 
@@ -21,37 +23,42 @@ base::Result<gl::Texture> upload_levels(const gl::Context& gl,
     return texture;
 }
 
+std::string name_of(const scene::Scene& scene, const image::Image& pixels) {
+    for (const scene::SceneImage& image : scene.images)
+        if (image.pixels.get() == &pixels) return image.name;
+    return {};
+}
+
 }  // namespace
 
-base::Result<std::map<TextureUse, std::size_t>> upload_textures(const gl::Context& gl,
-                                                                const scene::Scene& scene,
-                                                                base::ThreadPool& pool,
-                                                                GpuScene& out) {
-    std::map<TextureUse, std::size_t> uses;
-    std::vector<TextureUse> order;
+base::Status upload_textures(const gl::Context& gl, const scene::Scene& scene,
+                             base::ThreadPool& pool, GpuScene& out) {
+    std::vector<TextureUse> missing;
     for (const scene::Material& material : scene.materials)
         for (std::size_t slot = 0; slot < material.textures.size(); ++slot) {
             if (!material.textures[slot]) continue;
             const std::uint32_t image = material.textures[slot]->image.index;
             if (scene.images[image].pixels == nullptr) continue;
-            const TextureUse use{image, tables::material_textures[slot].space};
-            if (uses.emplace(use, order.size()).second) order.push_back(use);
+            const TextureUse use{scene.images[image].pixels, tables::material_textures[slot].space};
+            if (out.textures.contains(use) ||
+                std::find(missing.begin(), missing.end(), use) != missing.end())
+                continue;
+            missing.push_back(use);
         }
-    std::vector<std::vector<image::Image>> levels(order.size());
-    pool.parallel_for(order.size(), [&](std::size_t i) {
-        const image::Image& pixels = *scene.images[order[i].first].pixels;
-        levels[i] =
-            image::build_mips(image::to_rgba8(pixels), order[i].second == tables::Space::srgb);
+    std::vector<std::vector<image::Image>> levels(missing.size());
+    pool.parallel_for(missing.size(), [&](std::size_t i) {
+        levels[i] = image::build_mips(image::to_rgba8(*missing[i].first),
+                                      missing[i].second == tables::Space::srgb);
     });
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        auto texture = upload_levels(gl, levels[i], order[i].second);
+    for (std::size_t i = 0; i < missing.size(); ++i) {
+        auto texture = upload_levels(gl, levels[i], missing[i].second);
         if (!texture)
             return tl::unexpected(
-                base::in_file(texture.error(), scene.images[order[i].first].name));
-        out.textures.push_back(std::move(*texture));
+                base::in_file(texture.error(), name_of(scene, *missing[i].first)));
+        out.textures.emplace(missing[i], std::move(*texture));
         levels[i].clear();
     }
-    return uses;
+    return {};
 }
 
 }  // namespace facet::frame

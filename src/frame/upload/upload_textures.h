@@ -4,16 +4,10 @@
 
 #include "frame/upload/gpu_scene.h"
 
-#include <map>
-#include <utility>
-
 namespace facet::frame {
 
-/// Whether an image holds sRGB or linear numbers: one image can be used as both.
-using TextureUse = std::pair<std::uint32_t, tables::Space>;
-
-/// Uploads each use once, into `out.textures`; gives the index there.
-[[nodiscard]] base::Result<std::map<TextureUse, std::size_t>> upload_textures(
-    const gl::Context& gl, const scene::Scene& scene, base::ThreadPool& pool, GpuScene& out);
+/// Uploads what `scene` uses and `out.textures` does not have yet.
+[[nodiscard]] base::Status upload_textures(const gl::Context& gl, const scene::Scene& scene,
+                                           base::ThreadPool& pool, GpuScene& out);
 
 }  // namespace facet::frame

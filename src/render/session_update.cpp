@@ -1,0 +1,66 @@
+// A session under other settings: only what they change is done again.
+// SPDX-License-Identifier: MIT
+#include "render/session.h"
+
+#include <utility>
+
+namespace facet::render {
+namespace {
+
+using tables::Settings;
+
+bool edits_differ(const Settings& a, const Settings& b) {
+    return a.light != b.light || a.no_file_lights != b.no_file_lights || a.set != b.set;
+}
+
+bool camera_differs(const Settings& a, const Settings& b) {
+    return a.camera != b.camera || a.fov != b.fov || a.size != b.size;
+}
+
+bool targets_differ(const frame::FrameSpec& a, const frame::FrameSpec& b) {
+    return a.picture != b.picture || a.region.x != b.region.x || a.region.y != b.region.y ||
+           a.region.size != b.region.size || a.emissive != b.emissive || a.aovs != b.aovs;
+}
+
+}  // namespace
+
+base::Status Session::change_scene(const Settings& settings, const Plan& plan) {
+    if (auto s = apply_edits(settings, plan, job_); !s) return s;
+    if (auto s = frame::update_scene(*gl_, job_.scene, filtering(), *pool_, scene_); !s) return s;
+    set_lights(job_.scene.lights);
+    return {};
+}
+
+base::Status Session::change(const Settings& settings, const Plan& plan, base::Warnings& warnings) {
+    const Settings before = std::exchange(settings_, settings);
+    const Plan plan_before = std::exchange(plan_, plan);
+    const bool new_draft = plan.is_draft != plan_before.is_draft;
+    const bool new_brdf = !(plan.brdf == plan_before.brdf);
+    const bool new_environment = settings.env != before.env;
+    if (edits_differ(settings, before) || new_draft)
+        if (auto s = change_scene(settings, plan); !s) return s;
+    if (camera_differs(settings, before))
+        if (auto s = aim_camera(settings, job_); !s) return s;
+    if (new_environment)
+        if (auto s = load_environment(settings, plan, *pool_, job_); !s) return s;
+    if (new_environment || new_brdf || settings.env_rotation != before.env_rotation ||
+        settings.env_intensity != before.env_intensity)
+        if (auto s = upload_environment(warnings); !s) return s;
+    if (new_brdf) return make_frame();
+    if (targets_differ(frame_spec(), frame_->spec())) return frame_->resize(*gl_, frame_spec());
+    return {};
+}
+
+base::Status Session::update(const Settings& settings, const Plan& plan, base::Warnings& warnings) {
+    const Settings before = settings_;
+    const Plan plan_before = plan_;
+    auto changed = change(settings, plan, warnings);
+    if (changed) return changed;
+    // Back again: what failed left its part as it was, what came before it did not.
+    if (auto back = change(before, plan_before, warnings); !back) return back;
+    return changed;
+}
+
+base::Status Session::reload_shaders() { return make_frame(); }
+
+}  // namespace facet::render
