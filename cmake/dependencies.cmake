@@ -40,6 +40,17 @@ find_package(embree 3 REQUIRED)
 add_library(facet_dep_embree INTERFACE)
 target_link_libraries(facet_dep_embree INTERFACE embree)
 
+# Dear ImGui is a static library; its own renderer and window code in it stay unused.
+pkg_check_modules(imgui REQUIRED imgui)
+add_library(facet_dep_imgui INTERFACE)
+target_include_directories(facet_dep_imgui SYSTEM INTERFACE ${imgui_INCLUDE_DIRS})
+target_link_libraries(facet_dep_imgui INTERFACE ${imgui_STATIC_LIBRARIES})
+
+# Headers only: libglfw.so.3 is opened where a window is wanted, so that no other command needs it.
+find_path(FACET_GLFW_INCLUDE GLFW/glfw3.h REQUIRED)
+add_library(facet_dep_glfw INTERFACE)
+target_include_directories(facet_dep_glfw SYSTEM INTERFACE ${FACET_GLFW_INCLUDE})
+
 find_package(CLI11 REQUIRED)
 add_library(facet_dep_cli INTERFACE)
 target_link_libraries(facet_dep_cli INTERFACE CLI11::CLI11)

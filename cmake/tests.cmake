@@ -26,7 +26,7 @@ function(facet_tests room)
     if(TARGET facet_oiio)  # opened at run time, beside the program
       add_dependencies(${program} facet_oiio)
     endif()
-    if(label STREQUAL "cli" AND TARGET facet)
+    if(label MATCHES "^(cli|studio)$" AND TARGET facet)
       add_dependencies(${program} facet)
     endif()
     foreach(source IN LISTS sources_${label})
@@ -49,7 +49,7 @@ function(facet_tests room)
   endforeach()
 endfunction()
 
-foreach(room base math tables image brdf scene gl frame trace render cli)
+foreach(room base math tables image brdf scene gl frame trace render studio cli)
   facet_tests(${room})
 endforeach()
 

@@ -158,6 +158,7 @@ base::Status Frame::draw(const gl::Context& gl, const FrameInputs& in, std::uint
     std::reverse(order.begin(), order.end());
     if (auto s = draw_light(gl, in, view, order); !s) return s;
     clock.add_to(&passes.lighting);
+    if (index == 0) aov_pass_.clear(gl, tables::Average::mean, aov_targets_);
     if (auto s = aov_pass_.run(gl, gbuffer_, tables::Average::mean, empty_, size(), aov_targets_);
         !s)
         return s;
@@ -185,6 +186,7 @@ base::Status Frame::draw_centered_aovs(const gl::Context& gl, const FrameInputs&
     if (auto s = gbuffer_pass_.run(gl, in.scene, near_to_far(in.scene, view), gbuffer_); !s)
         return s;
     gl.texture_barrier();
+    aov_pass_.clear(gl, tables::Average::nearest, aov_targets_);
     if (auto s =
             aov_pass_.run(gl, gbuffer_, tables::Average::nearest, empty_, size(), aov_targets_);
         !s)

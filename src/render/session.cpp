@@ -77,6 +77,7 @@ base::Status Session::make_frame() {
     auto frame = frame::Frame::create(*gl_, *sources, frame_spec());
     if (!frame) return tl::unexpected(frame.error());
     frame_ = std::move(*frame);
+    probe_.reset();
     sources_ = std::move(sources);
     return {};
 }

@@ -48,6 +48,9 @@ public:
     [[nodiscard]] image::Image read_display() const { return frame_->read_display(*gl_); }
     /// What display() drew: rows from the bottom.
     [[nodiscard]] const gl::Texture& display_texture() const { return frame_->display_texture(); }
+    /// The AOVs of a part of the picture, through the centres of its pixels; the frames drawn stay.
+    [[nodiscard]] base::Result<std::vector<image::Layer>> probe(
+        const frame::Region& region, const std::vector<tables::Aov>& aovs);
     [[nodiscard]] const scene::Scene& scene() const { return job_.scene; }
     [[nodiscard]] const Job& job() const { return job_; }
     [[nodiscard]] const Plan& plan() const { return plan_; }
@@ -88,6 +91,7 @@ private:
     frame::EnvironmentMaps environment_;
     std::unique_ptr<frame::PackedLights> lights_;
     std::optional<frame::Frame> frame_;
+    std::optional<frame::Frame> probe_;  ///< made at first need
 
     [[nodiscard]] frame::FrameInputs inputs() const {
         return {scene_, environment_, *lights_, job_.camera, plan_.background};

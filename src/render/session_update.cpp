@@ -61,6 +61,23 @@ base::Status Session::update(const Settings& settings, const Plan& plan, base::W
     return changed;
 }
 
+base::Result<std::vector<image::Layer>> Session::probe(const frame::Region& region,
+                                                       const std::vector<tables::Aov>& aovs) {
+    frame::FrameSpec spec = frame_spec();
+    spec.region = region;
+    spec.aovs = aovs;
+    if (!probe_) {
+        auto made = frame::Frame::create(*gl_, *sources_, spec);
+        if (!made) return tl::unexpected(made.error());
+        probe_ = std::move(*made);
+    } else if (auto s = probe_->resize(*gl_, spec); !s) {
+        return tl::unexpected(s.error());
+    }
+    if (auto s = probe_->draw(*gl_, inputs(), 0, 1); !s) return tl::unexpected(s.error());
+    if (auto s = probe_->draw_centered_aovs(*gl_, inputs()); !s) return tl::unexpected(s.error());
+    return probe_->read_aovs(*gl_, 1);
+}
+
 base::Status Session::reload_shaders() { return make_frame(); }
 
 }  // namespace facet::render

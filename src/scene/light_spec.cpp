@@ -17,16 +17,16 @@ namespace facet::scene {
 namespace {
 
 using tables::LightKind;
-using tables::Range;
 
-constexpr Range metres{-1e9, 1e9};
-constexpr Range intensities{0.0, 1e9};
 constexpr float default_lux = 3.0F;
 constexpr float default_candela = 10.0F;
 constexpr float default_nit = 10.0F;
-constexpr Range sizes_m{1e-4, 1e6};
 constexpr float default_elevation_deg = 45.0F;
-constexpr float smallest_outer_deg = 0.1F;
+
+/// A number within the range of its row in tables/light_keys.def.
+base::Result<float> number_of(std::string_view key, std::string_view value) {
+    return parse_in_range(key, value, tables::light_key(key).range);
+}
 
 base::Status set_name(Light& light, std::string_view value) {
     light.name = value;
@@ -34,45 +34,43 @@ base::Status set_name(Light& light, std::string_view value) {
 }
 
 base::Status set_color(Light& light, std::string_view value) {
-    const auto color = parse_color("color", value, {0.0, 1e4});
+    const auto color = parse_color("color", value, tables::light_key("color").range);
     if (!color) return tl::unexpected(color.error());
     light.color = *color;
     return {};
 }
 
 base::Status set_temperature(Light& light, std::string_view value) {
-    const auto kelvin =
-        parse_in_range("temperature", value, {math::blackbody_min_k, math::blackbody_max_k});
+    const auto kelvin = number_of("temperature", value);
     if (!kelvin) return tl::unexpected(kelvin.error());
     light.color = math::blackbody_color(*kelvin);
     return {};
 }
 
+/// Lumen of a light of intensity 1.
+float flux_per_intensity(const Light& light) {
+    if (const float area = area_m2(light); area > 0.0F) return math::pi * area;  // physics: 10.3
+    return light.kind == LightKind::spot ? 2.0F * math::pi * (1.0F - std::cos(light.outer_cone_rad))
+                                         : 4.0F * math::pi;
+}
+
 base::Status set_intensity(Light& light, std::string_view key, std::string_view value) {
-    const auto number = parse_in_range(key, value, intensities);
+    const auto number = number_of(key, value);
     if (!number) return tl::unexpected(number.error());
     light.intensity = *number;
-    if (key != "lumen") return {};
-    if (const float area = area_m2(light); area > 0.0F) {
-        light.intensity = *number / (math::pi * area);  // physics: 10.3
-        return {};
-    }
-    const float solid_angle_sr = light.kind == LightKind::spot
-                                     ? 2.0F * math::pi * (1.0F - std::cos(light.outer_cone_rad))
-                                     : 4.0F * math::pi;
-    light.intensity = *number / solid_angle_sr;
+    if (key == "lumen") light.intensity = *number / flux_per_intensity(light);
     return {};
 }
 
 base::Status set_position(Light& light, std::string_view value) {
-    const auto position = parse_vector("position", value, metres);
+    const auto position = parse_vector("position", value, tables::light_key("position").range);
     if (!position) return tl::unexpected(position.error());
     light.position_m = *position;
     return {};
 }
 
 base::Status set_target(Light& light, std::string_view value) {
-    const auto target = parse_vector("target", value, metres);
+    const auto target = parse_vector("target", value, tables::light_key("target").range);
     if (!target) return tl::unexpected(target.error());
     const Vec3 way = *target - light.position_m;
     if (!(math::length(way) > 0.0F))
@@ -83,8 +81,7 @@ base::Status set_target(Light& light, std::string_view value) {
 
 base::Status set_angle(Light& light, std::string_view key, std::string_view value) {
     const bool is_azimuth = key == "azimuth";
-    const auto degrees =
-        parse_in_range(key, value, is_azimuth ? Range{-3600.0, 3600.0} : Range{-90.0, 90.0});
+    const auto degrees = number_of(key, value);
     if (!degrees) return tl::unexpected(degrees.error());
     const Vec3 from = -light.direction;
     const float azimuth_deg = glm::degrees(std::atan2(from.x, from.z));
@@ -95,23 +92,21 @@ base::Status set_angle(Light& light, std::string_view key, std::string_view valu
 }
 
 base::Status set_cone(Light& light, std::string_view key, std::string_view value) {
-    const bool is_inner = key == "inner";
-    const auto degrees = parse_in_range(
-        key, value, {is_inner ? 0.0 : static_cast<double>(smallest_outer_deg), 90.0});
+    const auto degrees = number_of(key, value);
     if (!degrees) return tl::unexpected(degrees.error());
-    (is_inner ? light.inner_cone_rad : light.outer_cone_rad) = glm::radians(*degrees);
+    (key == "inner" ? light.inner_cone_rad : light.outer_cone_rad) = glm::radians(*degrees);
     return {};
 }
 
 base::Status set_size(float& size_m, std::string_view key, std::string_view value) {
-    const auto metres_long = parse_in_range(key, value, sizes_m);
+    const auto metres_long = number_of(key, value);
     if (!metres_long) return tl::unexpected(metres_long.error());
     size_m = *metres_long;
     return {};
 }
 
 base::Status set_range(Light& light, std::string_view value) {
-    const auto range = parse_in_range("range", value, {0.0, 1e9});
+    const auto range = number_of("range", value);
     if (!range) return tl::unexpected(range.error());
     light.range_m = *range;
     return {};
@@ -254,6 +249,26 @@ base::Result<Light> parse_light(const std::string& spec) {
         light.direction = -math::normalize(light.position_m);
     if (auto cone = check_cone(light); !cone) return tl::unexpected(cone.error());
     return light;
+}
+
+std::string light_key_text(const Light& light, std::string_view key) {
+    const auto number = [](float x) { return fmt::format("{}", x); };
+    const auto vector = [](const Vec3& v) { return fmt::format("{} {} {}", v.x, v.y, v.z); };
+    const Vec3 from = -light.direction;
+    if (key == "name") return light.name;
+    if (key == "color") return vector(light.color);
+    if (key == "position") return vector(light.position_m);
+    if (key == "target") return vector(light.position_m + light.direction);
+    if (key == "azimuth") return number(glm::degrees(std::atan2(from.x, from.z)));
+    if (key == "elevation") return number(glm::degrees(std::asin(std::clamp(from.y, -1.0F, 1.0F))));
+    if (key == "inner") return number(glm::degrees(light.inner_cone_rad));
+    if (key == "outer") return number(glm::degrees(light.outer_cone_rad));
+    if (key == "range") return number(light.range_m);
+    if (key == "radius") return number(light.radius_m);
+    if (key == "width") return number(light.width_m);
+    if (key == "height") return number(light.height_m);
+    if (key == "lumen") return number(light.intensity * flux_per_intensity(light));
+    return key == row_of(light.kind).unit ? number(light.intensity) : std::string();
 }
 
 }  // namespace facet::scene

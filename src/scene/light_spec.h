@@ -27,4 +27,8 @@ namespace facet::scene {
 [[nodiscard]] base::Status set_light_key(Light& light, std::string_view key,
                                          std::string_view value);
 
+/// The value of a key as set_light_key() takes it; empty where the light has none (its temperature:
+/// only the colour is kept).
+[[nodiscard]] std::string light_key_text(const Light& light, std::string_view key);
+
 }  // namespace facet::scene

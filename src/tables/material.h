@@ -24,6 +24,8 @@ struct MaterialParam {
     std::string_view key;
     std::variant<float MaterialValues::*, Color MaterialValues::*> field;
     Range range;
+    Range slider{0, 0};        ///< what a slider spans, where that is less than `range`
+    bool logarithmic = false;  ///< slider
     Space space = Space::none;
     std::string_view gltf;  ///< JSON pointer below the material
     std::string_view help;

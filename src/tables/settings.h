@@ -26,6 +26,7 @@ using List = std::vector<std::string>;  ///< comma-separated on the command line
 struct Settings {
 #define SETTING(type, name, initial, ...) type name = initial;
 #include "tables/settings.def"
+    bool operator==(const Settings&) const = default;
 };
 
 /// One row of settings.def.
@@ -35,6 +36,8 @@ struct Setting {
                  OptionalNumber Settings::*, Count Settings::*, Flag Settings::*, List Settings::*>
         field;
     Range range{};
+    Range slider{0, 0};           ///< what a slider spans, where that is less than `range`
+    bool logarithmic = false;     ///< slider
     std::string_view value = {};  ///< what stands for the value in help
     std::string_view group;
     bool repeatable = false;

@@ -52,12 +52,19 @@ base::Result<std::vector<AovTarget>> AovPass::make_targets(const gl::Context& gl
         auto framebuffer = gl::make_framebuffer(gl, colors, &gbuffer.depth);
         if (!framebuffer) return tl::unexpected(framebuffer.error());
         target.framebuffer = std::move(*framebuffer);
-        const std::array<float, 4> zero{};
-        gl.api().BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.name());
-        gl.api().ClearBufferfv(GL_COLOR, 0, zero.data());
         targets.push_back(std::move(target));
     }
     return targets;
+}
+
+void AovPass::clear(const gl::Context& gl, tables::Average average,
+                    const std::vector<AovTarget>& targets) const {
+    const std::array<float, 4> zero{};
+    for (const AovTarget& target : targets) {
+        if (tables::row(target.aov).average != average) continue;
+        gl.api().BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.name());
+        gl.api().ClearBufferfv(GL_COLOR, 0, zero.data());
+    }
 }
 
 base::Status AovPass::run(const gl::Context& gl, const GBuffer& gbuffer, tables::Average average,

@@ -20,9 +20,12 @@ struct AovTarget {
 class AovPass {
 public:
     explicit AovPass(const gl::ShaderSources& sources) : sources_(&sources) {}
-    /// Makes cleared targets; `gbuffer` outlives them.
+    /// Makes targets that hold nothing yet; `gbuffer` outlives them.
     [[nodiscard]] base::Result<std::vector<AovTarget>> make_targets(
         const gl::Context& gl, const std::vector<tables::Aov>& aovs, const GBuffer& gbuffer) const;
+    /// Forgets what was added to the targets whose average is `average`.
+    void clear(const gl::Context& gl, tables::Average average,
+               const std::vector<AovTarget>& targets) const;
     /// Adds this frame's values to the targets whose average is `average`.
     [[nodiscard]] base::Status run(const gl::Context& gl, const GBuffer& gbuffer,
                                    tables::Average average, const gl::VertexArray& empty,

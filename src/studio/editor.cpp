@@ -1,0 +1,36 @@
+// What is being edited and looked at.
+// SPDX-License-Identifier: MIT
+#include "studio/editor.h"
+
+namespace facet::studio {
+namespace {
+
+constexpr std::size_t most_messages = 200;
+
+}  // namespace
+
+void Editor::edit(const std::string& name, const std::function<void(tables::Settings&)>& change) {
+    const tables::Settings before = document.settings;
+    change(document.settings);
+    if (document.settings == before) return;
+    history.record(name, before);
+    unsaved = true;
+}
+
+void Editor::set(const std::string& path, const std::string& value) {
+    edit(path, [&](tables::Settings& settings) { set_path(settings, path, value); });
+}
+
+void Editor::clear(const std::string& path) {
+    history.seal();
+    edit("-" + path, [&](tables::Settings& settings) { clear_path(settings, path); });
+    history.seal();
+}
+
+void Editor::say(Message::Kind kind, std::string text) {
+    if (!messages.empty() && messages.back().text == text) return;
+    messages.push_back({kind, std::move(text)});
+    if (messages.size() > most_messages) messages.erase(messages.begin());
+}
+
+}  // namespace facet::studio

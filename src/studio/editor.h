@@ -1,0 +1,59 @@
+// What is being edited and looked at: the state that panels read and change.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/result.h"
+#include "scene/scene.h"
+#include "studio/document.h"
+#include "studio/look.h"
+#include "studio/orbit.h"
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace facet::studio {
+
+/// What a panel asks for and the studio does after the panels are drawn.
+struct Wanted {
+    std::optional<std::string> open;  ///< a scene
+    std::optional<std::filesystem::path> save;
+    std::optional<std::string> copy_text;
+    bool frame_selected = false;
+    bool quit = false;
+    std::optional<math::Vec2> pick_px;   ///< in the viewport's picture
+    std::optional<math::Vec2> probe_px;  ///< likewise
+};
+
+struct Message {
+    enum class Kind { note, warning, error };
+    Kind kind = Kind::note;
+    std::string text;
+};
+
+struct Editor {
+    Document document;
+    tables::Settings opened;  ///< as the scene was opened: what reset and compare go back to
+    History history;
+    bool unsaved = false;
+    std::optional<std::size_t> material;  ///< selected
+    std::optional<std::size_t> light;
+    Look look;
+    std::optional<Orbit> orbit;  ///< how the view was last turned, unrounded
+    std::vector<Message> messages;
+    std::vector<std::pair<std::string, std::string>> copied_material;  ///< key and value
+    Wanted wanted;
+
+    /// Changes the settings as one step of undo; under the same `name` until the mouse is let go.
+    void edit(const std::string& name, const std::function<void(tables::Settings&)>& change);
+    /// `PATH=VALUE` as such a step.
+    void set(const std::string& path, const std::string& value);
+    void clear(const std::string& path);
+    void say(Message::Kind kind, std::string text);
+    void complain(const base::Error& error) { say(Message::Kind::error, base::to_line(error)); }
+};
+
+}  // namespace facet::studio

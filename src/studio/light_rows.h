@@ -1,0 +1,13 @@
+// The lights of the scene: which there are, and a row for every value of the one selected.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "studio/panels.h"
+
+namespace facet::studio {
+
+void draw_lights(PanelTools& tools);
+/// Takes away a light that the document added.
+void remove_light(Editor& editor, const scene::Scene& scene, std::size_t light);
+
+}  // namespace facet::studio

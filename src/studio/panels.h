@@ -1,0 +1,22 @@
+// The panels: each draws itself into the window that ImGui has open, reads the stage and changes
+// the editor. SPDX-License-Identifier: MIT
+#pragma once
+
+#include "studio/editor.h"
+#include "studio/stage.h"
+#include "studio/ui.h"
+
+namespace facet::studio {
+
+/// What every panel gets.
+struct PanelTools {
+    Ui& ui;
+    Editor& editor;
+    const Stage& stage;
+    const gl::Context& gl;
+};
+
+void draw_material_panel(PanelTools& tools);
+void draw_scene_panel(PanelTools& tools);
+
+}  // namespace facet::studio

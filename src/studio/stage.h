@@ -1,0 +1,105 @@
+// The picture in the viewport: a session drawn a step at a time, coarse while things move, better
+// while they rest. SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/log.h"
+#include "base/thread_pool.h"
+#include "render/session.h"
+#include "studio/document.h"
+#include "studio/look.h"
+#include "studio/ui_renderer.h"
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace facet::studio {
+
+/// Tools that outlive the stage.
+struct StageTools {
+    const gl::Context& gl;
+    base::ThreadPool& pool;
+    base::Log& log;
+};
+
+/// What the viewport shall show.
+struct Scenery {
+    tables::Settings settings;  ///< the document's
+    tables::Settings opened;    ///< for the original beside it
+    Look look;
+    std::optional<std::size_t> solo;  ///< the one material that keeps its colours
+    math::Extent area_px;
+    bool moving = false;  ///< somebody drags something
+};
+
+/// A number that the frame's own shaders gave for one pixel.
+struct Probed {
+    tables::Aov aov{};
+    math::Vec3 value{0.0F};
+};
+
+class Stage {
+public:
+    /// Milliseconds that a step may take while something moves.
+    static constexpr double budget_ms = 55.0;
+
+    explicit Stage(const StageTools& tools) : tools_(tools) {}
+    /// Loads the document's scene. On an error the one before stays. `steady`: always at full size,
+    /// for pictures that must not depend on the machine's speed.
+    [[nodiscard]] base::Status open(const Document& document, bool steady);
+    [[nodiscard]] bool is_open() const { return session_.has_value(); }
+
+    /// Takes over what changed and draws one step. Errors: those of the settings; the picture is
+    /// then as it was.
+    [[nodiscard]] base::Status step(const Scenery& scenery, UiRenderer& pictures);
+    /// Nothing is left to be done for this scenery.
+    [[nodiscard]] bool is_finished() const { return finished_; }
+
+    [[nodiscard]] const scene::Scene& scene() const { return session_->scene(); }
+    [[nodiscard]] const render::Job& job() const { return session_->job(); }
+    [[nodiscard]] const render::Plan& plan() const { return session_->plan(); }
+    [[nodiscard]] const base::Warnings& warnings() const { return warnings_; }
+    [[nodiscard]] base::Status reload_shaders();
+    /// Reads the environment's and the materials' files again.
+    void forget() { applied_.reset(); }
+
+    /// Every AOV at one pixel of the viewport's picture; empty where that is outside.
+    [[nodiscard]] base::Result<std::vector<Probed>> probe(math::Vec2 at_px);
+    /// The finished picture as it is shown; rows from the top.
+    [[nodiscard]] const image::Image& shown() const { return shown_; }
+    /// Encodes radiance from elsewhere as the finished picture is.
+    [[nodiscard]] base::Result<image::Image> encode(const image::Image& radiance);
+
+    [[nodiscard]] std::uint32_t samples() const { return drawn_; }
+    [[nodiscard]] std::uint32_t samples_wanted() const;
+    [[nodiscard]] double exposure() const { return exposure_; }
+    [[nodiscard]] math::Extent size_px() const { return session_->plan().picture; }
+    [[nodiscard]] double last_ms() const { return last_ms_; }
+    [[nodiscard]] const std::string& scene_name() const { return scene_name_; }
+
+private:
+    [[nodiscard]] tables::Settings settings_for(const Scenery& scenery, math::Extent size) const;
+    [[nodiscard]] math::Extent size_for(const Scenery& scenery) const;
+    [[nodiscard]] base::Status apply(const tables::Settings& settings);
+    [[nodiscard]] base::Status draw_sample(std::uint32_t count);
+    [[nodiscard]] base::Status show(const Scenery& scenery, UiRenderer& pictures);
+    [[nodiscard]] base::Status show_original(const Scenery& scenery, UiRenderer& pictures);
+
+    StageTools tools_;
+    bool steady_ = false;
+    std::string scene_name_;
+    std::optional<render::Session> session_;
+    base::Warnings warnings_;
+    std::optional<Scenery> applied_;  ///< none: everything has to be taken over
+    tables::Settings session_settings_;
+    std::uint32_t drawn_ = 0;
+    bool finished_ = false;
+    bool original_shown_ = false;
+    double exposure_ = 1.0;
+    double ms_per_pixel_ = 8e-5;  ///< a guess, until the first frame is measured
+    double last_ms_ = 0.0;
+    image::Image shown_;
+};
+
+}  // namespace facet::studio
