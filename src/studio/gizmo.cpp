@@ -3,6 +3,7 @@
 #include "studio/gizmo.h"
 
 #include "base/text.h"
+#include "render/job.h"
 #include "scene/camera_spec.h"
 #include "tables/lights.h"
 

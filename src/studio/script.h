@@ -52,8 +52,8 @@ private:
                                          bool picture_finished, const Act& act);
     /// The widget a step is about; null while it may still appear.
     [[nodiscard]] base::Result<const Widget*> find(const ScriptStep& step, const Ui& ui) const;
-    void click(Input& input, const Widget& widget);
-    [[nodiscard]] base::Status drag(const ScriptStep& step, Input& input, const Widget& widget);
+    void click(Input& input);
+    [[nodiscard]] base::Status drag(const ScriptStep& step, Input& input);
     [[nodiscard]] base::Status press(const ScriptStep& step, Input& input);
     void done() {
         ++next_;
@@ -65,6 +65,7 @@ private:
     std::size_t next_ = 0;
     std::size_t frame_ = 0;   ///< of the current step
     std::size_t waited_ = 0;  ///< frames, for its widget
+    Widget widget_;           ///< as it was in the step's first frame
     math::Vec2 from_px_{0.0F};
     math::Vec2 to_px_{0.0F};
 };

@@ -55,22 +55,22 @@ base::Result<const Widget*> ScriptPlayer::find(const ScriptStep& step, const Ui&
     return failed(step, "no widget of this name is shown", name, base::suggestion(name, names));
 }
 
-void ScriptPlayer::click(Input& input, const Widget& widget) {
-    input.mouse_px = widget.center_px();
+void ScriptPlayer::click(Input& input) {
+    input.mouse_px = widget_.center_px();
     // Hovered, pressed, let go, and a frame for what it leads to.
     input.buttons[0] = frame_ == 1;
     input.clicked[0] = frame_ == 1;
     if (++frame_ == 4) done();
 }
 
-base::Status ScriptPlayer::drag(const ScriptStep& step, Input& input, const Widget& widget) {
+base::Status ScriptPlayer::drag(const ScriptStep& step, Input& input) {
     if (frame_ == 0) {
         const auto x = base::parse_number(step.words[1]);
         const auto y = step.words.size() > 2 ? base::parse_number(step.words[2]) : 0.0;
         if (!x || !y) return failed(step, "not a number", step.words[1], "drag LABEL X [Y]");
-        from_px_ = widget.center_px();
-        to_px_ = widget.range
-                     ? place_of(widget, static_cast<float>(*x))
+        from_px_ = widget_.center_px();
+        to_px_ = widget_.range
+                     ? place_of(widget_, static_cast<float>(*x))
                      : from_px_ + math::Vec2(static_cast<float>(*x), static_cast<float>(*y));
     }
     const float share =
@@ -100,11 +100,14 @@ base::Status ScriptPlayer::press(const ScriptStep& step, Input& input) {
 base::Status ScriptPlayer::play_step(const ScriptStep& step, Input& input, const Ui& ui,
                                      bool picture_finished, const Act& act) {
     if (step.verb == Verb::click || step.verb == Verb::drag) {
-        const auto widget = find(step, ui);
-        if (!widget) return tl::unexpected(widget.error());
-        if (*widget == nullptr) return ++waited_, base::Status{};
-        if (step.verb == Verb::drag) return drag(step, input, **widget);
-        click(input, **widget);
+        if (frame_ == 0) {
+            const auto found = find(step, ui);
+            if (!found) return tl::unexpected(found.error());
+            if (*found == nullptr) return ++waited_, base::Status{};
+            widget_ = **found;
+        }
+        if (step.verb == Verb::drag) return drag(step, input);
+        click(input);
         return {};
     }
     if (step.verb == Verb::key) return press(step, input);

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "studio/stage.h"
 
-#include "image/image.h"
+#include "render/session.h"
 #include "render/stopwatch.h"
 #include "render/viewable.h"
+#include "studio/ui_renderer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -75,6 +76,14 @@ image::Layer sum_of(std::vector<image::Layer>& layers) {
 
 }  // namespace
 
+Stage::Stage(const StageTools& tools) : tools_(tools) {}
+Stage::~Stage() = default;
+
+const scene::Scene& Stage::scene() const { return session_->scene(); }
+const render::Job& Stage::job() const { return session_->job(); }
+const render::Plan& Stage::plan() const { return session_->plan(); }
+math::Extent Stage::size_px() const { return session_->plan().picture; }
+
 base::Status Stage::open(const Document& document, bool steady) {
     tables::Settings settings = document.settings;
     settings.size = {64, 64};
@@ -90,7 +99,7 @@ base::Status Stage::open(const Document& document, bool steady) {
     auto session =
         render::Session::create(tools_.gl, std::move(*job), settings, *plan, tools_.pool, warnings);
     if (!session) return tl::unexpected(session.error());
-    session_ = std::move(*session);
+    session_ = std::make_unique<render::Session>(std::move(*session));
     session_settings_ = settings;
     scene_name_ = document.scene;
     warnings_ = std::move(warnings);

@@ -3,18 +3,29 @@
 #pragma once
 
 #include "base/log.h"
+#include "base/result.h"
 #include "base/thread_pool.h"
-#include "render/session.h"
+#include "image/image.h"
 #include "studio/document.h"
 #include "studio/look.h"
-#include "studio/ui_renderer.h"
 
+#include <memory>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
+namespace facet::gl {
+class Context;
+}
+namespace facet::render {
+class Session;
+struct Job;
+struct Plan;
+}  // namespace facet::render
+
 namespace facet::studio {
+
+class UiRenderer;
 
 /// Tools that outlive the stage.
 struct StageTools {
@@ -44,11 +55,14 @@ public:
     /// Milliseconds that a step may take while something moves.
     static constexpr double budget_ms = 55.0;
 
-    explicit Stage(const StageTools& tools) : tools_(tools) {}
+    explicit Stage(const StageTools& tools);
+    ~Stage();
+    Stage(const Stage&) = delete;
+    Stage& operator=(const Stage&) = delete;
     /// Loads the document's scene. On an error the one before stays. `steady`: always at full size,
     /// for pictures that must not depend on the machine's speed.
     [[nodiscard]] base::Status open(const Document& document, bool steady);
-    [[nodiscard]] bool is_open() const { return session_.has_value(); }
+    [[nodiscard]] bool is_open() const { return session_ != nullptr; }
 
     /// Takes over what changed and draws one step. Errors: those of the settings; the picture is
     /// then as it was.
@@ -56,9 +70,9 @@ public:
     /// Nothing is left to be done for this scenery.
     [[nodiscard]] bool is_finished() const { return finished_; }
 
-    [[nodiscard]] const scene::Scene& scene() const { return session_->scene(); }
-    [[nodiscard]] const render::Job& job() const { return session_->job(); }
-    [[nodiscard]] const render::Plan& plan() const { return session_->plan(); }
+    [[nodiscard]] const scene::Scene& scene() const;
+    [[nodiscard]] const render::Job& job() const;
+    [[nodiscard]] const render::Plan& plan() const;
     [[nodiscard]] const base::Warnings& warnings() const { return warnings_; }
     [[nodiscard]] base::Status reload_shaders();
     /// Reads the environment's and the materials' files again.
@@ -74,7 +88,7 @@ public:
     [[nodiscard]] std::uint32_t samples() const { return drawn_; }
     [[nodiscard]] std::uint32_t samples_wanted() const;
     [[nodiscard]] double exposure() const { return exposure_; }
-    [[nodiscard]] math::Extent size_px() const { return session_->plan().picture; }
+    [[nodiscard]] math::Extent size_px() const;
     [[nodiscard]] double last_ms() const { return last_ms_; }
     [[nodiscard]] const std::string& scene_name() const { return scene_name_; }
 
@@ -89,7 +103,7 @@ private:
     StageTools tools_;
     bool steady_ = false;
     std::string scene_name_;
-    std::optional<render::Session> session_;
+    std::unique_ptr<render::Session> session_;
     base::Warnings warnings_;
     std::optional<Scenery> applied_;  ///< none: everything has to be taken over
     tables::Settings session_settings_;

@@ -29,6 +29,14 @@ std::string studio_label(const Ui& ui, std::string_view name) {
 
 }  // namespace
 
+bool begin_combo(Ui& ui, const std::string& name, const char* shown) {
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const math::Vec2 corner(low.x, low.y);
+    const math::Vec2 size(ImGui::CalcItemWidth(), ImGui::GetFrameHeight());
+    ui.widgets.insert_or_assign(name, Widget{corner, corner + size, {}});
+    return ImGui::BeginCombo(("##" + name).c_str(), shown, ImGuiComboFlags_HeightLarge);
+}
+
 bool button(Ui& ui, std::string_view name) {
     const bool pressed = ImGui::Button(studio_label(ui, name).c_str());
     ui.mark(name);

@@ -41,6 +41,8 @@ struct Ui {
 /// The text of `key` with an id that does not depend on the language.
 [[nodiscard]] std::string labelled(const Ui& ui, std::string_view key);
 
+/// A combo box of the item width, registered as `name` whether it is open or not.
+[[nodiscard]] bool begin_combo(Ui& ui, const std::string& name, const char* shown);
 /// Widgets whose text is `studio.NAME` and that are registered as NAME.
 [[nodiscard]] bool button(Ui& ui, std::string_view name);
 [[nodiscard]] bool small_button(Ui& ui, std::string_view name);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "studio/viewport_panel.h"
 
+#include "render/job.h"
 #include "studio/gizmo.h"
 #include "studio/orbit.h"
 #include "studio/widgets.h"
@@ -38,15 +39,13 @@ void draw_bar(PanelTools& tools) {
         if (views()[i].key == look.view) chosen = i;
     }
     ImGui::SetNextItemWidth(ui.px(150.0F));
-    if (ImGui::BeginCombo("##view", names[chosen].c_str(), ImGuiComboFlags_HeightLarge)) {
+    if (begin_combo(ui, "view", names[chosen].c_str())) {
         for (std::size_t i = 0; i < names.size(); ++i) {
             if (ImGui::Selectable((names[i] + "###" + views()[i].key).c_str(), i == chosen))
                 look.view = views()[i].key;
             ui.mark("view." + views()[i].key);
         }
         ImGui::EndCombo();
-    } else {
-        ui.mark("view");
     }
     tooltip(ui.t("studio.view.help"));
     constexpr std::array beside_names = {"beside.nothing", "beside.original", "beside.reference",
@@ -54,7 +53,7 @@ void draw_bar(PanelTools& tools) {
     ImGui::SameLine();
     ImGui::SetNextItemWidth(ui.px(150.0F));
     const auto now = static_cast<std::size_t>(look.beside);
-    if (ImGui::BeginCombo("##beside", ui.t(std::string("studio.") + beside_names[now]))) {
+    if (begin_combo(ui, "beside", ui.t(std::string("studio.") + beside_names[now]))) {
         for (std::size_t i = 0; i < beside_names.size(); ++i) {
             const std::string key = std::string("studio.") + beside_names[i];
             if (ImGui::Selectable(labelled(ui, key).c_str(), i == now))
@@ -62,8 +61,6 @@ void draw_bar(PanelTools& tools) {
             ui.mark(beside_names[i]);
         }
         ImGui::EndCombo();
-    } else {
-        ui.mark("beside");
     }
     tooltip(ui.t("studio.beside.help"));
     ImGui::SameLine();

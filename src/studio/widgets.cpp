@@ -164,10 +164,7 @@ bool choice_row(Ui& ui, const std::string& name, std::string_view label, std::st
     row_label(ui, label, help);
     ImGui::SetNextItemWidth(-1.0F);
     bool changed = false;
-    const bool is_open =
-        ImGui::BeginCombo("##choice", chosen < names.size() ? names[chosen].c_str() : "");
-    ui.mark(name);
-    if (is_open) {
+    if (begin_combo(ui, name, chosen < names.size() ? names[chosen].c_str() : "")) {
         for (std::size_t i = 0; i < names.size(); ++i) {
             if (ImGui::Selectable(names[i].c_str(), i == chosen)) {
                 changed = i != chosen;
