@@ -56,6 +56,56 @@ struct Texts {
     std::vector<std::string> operator()(const std::vector<std::string>& list) const { return list; }
 };
 
+/// Sets one field from its texts. False where they are no value of it.
+struct Assign {
+    tables::Settings& settings;
+    const std::vector<std::string>& texts;
+
+    [[nodiscard]] std::optional<double> number() const {
+        return texts.size() == 1 ? base::parse_number(texts.front()) : std::nullopt;
+    }
+    bool operator()(math::Extent tables::Settings::*field) const {
+        const auto sides =
+            texts.size() == 1 ? base::split(texts.front(), 'x') : std::vector<std::string_view>{};
+        if (sides.size() != 2) return false;
+        const auto width = base::parse_integer(sides[0]);
+        const auto height = base::parse_integer(sides[1]);
+        if (!width || !height || *width < 1 || *height < 1 || *width > 1'000'000 ||
+            *height > 1'000'000)
+            return false;
+        settings.*field = {static_cast<std::uint32_t>(*width), static_cast<std::uint32_t>(*height)};
+        return true;
+    }
+    bool operator()(std::string tables::Settings::*field) const {
+        if (texts.size() != 1) return false;
+        settings.*field = texts.front();
+        return true;
+    }
+    bool operator()(float tables::Settings::*field) const {
+        if (!number()) return false;
+        settings.*field = static_cast<float>(*number());
+        return true;
+    }
+    bool operator()(std::optional<float> tables::Settings::*field) const {
+        if (!number()) return false;
+        settings.*field = static_cast<float>(*number());
+        return true;
+    }
+    bool operator()(std::uint32_t tables::Settings::*field) const {
+        if (!number() || *number() < 0.0 || *number() > 4294967295.0) return false;
+        settings.*field = static_cast<std::uint32_t>(*number());
+        return true;
+    }
+    bool operator()(bool tables::Settings::*field) const {
+        settings.*field = true;
+        return true;
+    }
+    bool operator()(std::vector<std::string> tables::Settings::*field) const {
+        settings.*field = texts;
+        return true;
+    }
+};
+
 }  // namespace
 
 std::string number_text(float value) { return fmt::format("{}", value); }
@@ -94,6 +144,26 @@ std::vector<std::string> setting_texts(const tables::Settings& settings,
             return Texts{}(settings.*field);
         },
         row.field);
+}
+
+base::Status assign_setting(tables::Settings& settings, std::string_view key,
+                            const std::vector<std::string>& texts) {
+    std::vector<std::string> keys;
+    for (const tables::Setting& row : tables::settings) {
+        keys.emplace_back(row.key);
+        if (row.key != key) continue;
+        if (std::visit(Assign{settings, texts}, row.field)) return {};
+        return base::fail({.code = base::ErrorCode::usage,
+                           .where = std::string(key),
+                           .what = "not a value of this setting",
+                           .found = base::join(texts, " "),
+                           .remedy = std::string(row.value)});
+    }
+    return base::fail({.code = base::ErrorCode::usage,
+                       .where = std::string(key),
+                       .what = "no such setting",
+                       .found = std::string(key),
+                       .remedy = base::suggestion(key, keys)});
 }
 
 std::vector<std::string> render_arguments(const Document& document, const std::string& output) {

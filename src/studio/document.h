@@ -2,6 +2,7 @@
 // the settings that the command line could have typed. SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/result.h"
 #include "scene/scene.h"
 #include "tables/settings.h"
 
@@ -41,6 +42,11 @@ void clear_path(tables::Settings& settings, std::string_view path);
 [[nodiscard]] std::vector<std::string> setting_texts(const tables::Settings& settings,
                                                      const tables::Setting& row);
 
+/// Sets one setting from such texts. Errors: usage (no such setting, not a value of it); whether it
+/// is in its range is make_plan()'s to say.
+[[nodiscard]] base::Status assign_setting(tables::Settings& settings, std::string_view key,
+                                          const std::vector<std::string>& texts);
+
 /// Undo and redo without limit. An edit under the same name as the one before replaces it, until
 /// it is sealed: a drag of a slider is one step.
 class History {
@@ -48,6 +54,7 @@ public:
     /// `before`: the settings as they were, `now`: as they are.
     void record(const std::string& name, const tables::Settings& before);
     void seal() { open_.clear(); }
+    [[nodiscard]] bool is_sealed() const { return open_.empty(); }
     [[nodiscard]] bool can_undo() const { return !done_.empty(); }
     [[nodiscard]] bool can_redo() const { return !undone_.empty(); }
     [[nodiscard]] std::size_t undo_count() const { return done_.size(); }

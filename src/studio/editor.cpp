@@ -27,6 +27,15 @@ void Editor::clear(const std::string& path) {
     history.seal();
 }
 
+void Editor::paste_material(std::size_t index) {
+    if (copied_material.empty()) return;
+    history.seal();
+    edit("paste", [&](tables::Settings& settings) {
+        for (const auto& [key, value] : copied_material)
+            set_path(settings, material_path(index, key), value);
+    });
+}
+
 void Editor::say(Message::Kind kind, std::string text) {
     if (!messages.empty() && messages.back().text == text) return;
     messages.push_back({kind, std::move(text)});

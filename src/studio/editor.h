@@ -8,7 +8,6 @@
 #include "studio/look.h"
 #include "studio/orbit.h"
 
-#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -19,10 +18,10 @@ namespace facet::studio {
 
 /// What a panel asks for and the studio does after the panels are drawn.
 struct Wanted {
-    std::optional<std::string> open;  ///< a scene
-    std::optional<std::filesystem::path> save;
-    std::optional<std::string> copy_text;
+    std::optional<std::string> open;     ///< a scene
+    std::optional<std::size_t> texture;  ///< slot that a file is to be chosen for
     bool frame_selected = false;
+    bool copy_material = false;
     bool quit = false;
     std::optional<math::Vec2> pick_px;   ///< in the viewport's picture
     std::optional<math::Vec2> probe_px;  ///< likewise
@@ -52,6 +51,8 @@ struct Editor {
     /// `PATH=VALUE` as such a step.
     void set(const std::string& path, const std::string& value);
     void clear(const std::string& path);
+    /// What was copied from one material, into another.
+    void paste_material(std::size_t material);
     void say(Message::Kind kind, std::string text);
     void complain(const base::Error& error) { say(Message::Kind::error, base::to_line(error)); }
 };

@@ -61,7 +61,7 @@ bool handle(PanelTools& tools, const std::string& name, math::Vec2 at_px, float 
 
 void draw_lights(PanelTools& tools, const Projector& to_px) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const auto& lights = tools.stage.scene().lights;
+    const auto& lights = tools.stage.lights();
     for (std::size_t i = 0; i < lights.size(); ++i) {
         if (lights[i].kind == tables::LightKind::directional) continue;
         const auto at = to_px(lights[i].position_m);
@@ -76,7 +76,7 @@ void draw_lights(PanelTools& tools, const Projector& to_px) {
 /// Arrows along x, y and z that move the light.
 bool move_light(PanelTools& tools, const Projector& to_px, std::size_t index) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const scene::Light& light = tools.stage.scene().lights[index];
+    const scene::Light& light = tools.stage.lights()[index];
     const auto origin = to_px(light.position_m);
     if (!origin) return false;
     constexpr std::array colors = {IM_COL32(235, 80, 80, 255), IM_COL32(110, 205, 90, 255),
@@ -109,7 +109,7 @@ bool move_light(PanelTools& tools, const Projector& to_px, std::size_t index) {
 /// A sun: a disk whose drag turns where the light comes from.
 bool turn_light(PanelTools& tools, const Projector& to_px, std::size_t index) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const scene::Light& light = tools.stage.scene().lights[index];
+    const scene::Light& light = tools.stage.lights()[index];
     const math::Bounds bounds = tools.stage.scene().bounds_m();
     const auto center = to_px(bounds.center());
     const auto sun = to_px(bounds.center() - light.direction * (0.6F * bounds.diagonal()));
@@ -135,7 +135,7 @@ bool turn_light(PanelTools& tools, const Projector& to_px, std::size_t index) {
 }  // namespace
 
 bool drag_gizmo(PanelTools& tools, math::Vec2 low_px, math::Vec2 size_px) {
-    const auto& lights = tools.stage.scene().lights;
+    const auto& lights = tools.stage.lights();
     const Projector to_px = projector(tools, low_px, size_px);
     ImGui::PushClipRect(im(low_px), im(low_px + size_px), true);
     draw_lights(tools, to_px);

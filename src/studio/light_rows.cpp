@@ -24,9 +24,8 @@ const tables::LightKindRow& kind_of(const scene::Light& light) {
 }
 
 /// Lights of the file come first; those the document adds follow.
-std::size_t added_from(const Editor& editor, const scene::Scene& scene) {
-    return scene.lights.size() -
-           std::min(scene.lights.size(), editor.document.settings.light.size());
+std::size_t added_from(const Editor& editor, std::size_t light_count) {
+    return light_count - std::min(light_count, editor.document.settings.light.size());
 }
 
 SliderSpec spec_of(const PanelTools& tools, const LightKeyRow& row, std::size_t light) {
@@ -65,7 +64,7 @@ Touched text_row(Ui& ui, const SliderSpec& spec, std::string& value) {
 }
 
 void draw_key(PanelTools& tools, const LightKeyRow& row, std::size_t index) {
-    const scene::Light& light = tools.stage.scene().lights[index];
+    const scene::Light& light = tools.stage.lights()[index];
     const SliderSpec spec = spec_of(tools, row, index);
     std::string text = scene::light_key_text(light, row.key);
     Touched touched = Touched::no;
@@ -91,7 +90,7 @@ void add_light(PanelTools& tools, std::string_view kind) {
     const float size = std::max(bounds.diagonal(), 1e-3F);
     const math::Vec3 at = bounds.center() + math::Vec3(0.4F, 0.7F, 0.6F) * size;
     std::string spec = std::string(kind) + ":name=" + std::string(kind) +
-                       fmt::format("-{}", tools.stage.scene().lights.size() + 1);
+                       fmt::format("-{}", tools.stage.lights().size() + 1);
     const auto& row = *std::find_if(tables::light_kinds.begin(), tables::light_kinds.end(),
                                     [&](const auto& r) { return r.key == kind; });
     const auto has = [&](std::string_view key) {
@@ -106,11 +105,11 @@ void add_light(PanelTools& tools, std::string_view kind) {
     }
     tools.editor.history.seal();
     tools.editor.edit("add light", [&](tables::Settings& s) { s.light.push_back(spec); });
-    tools.editor.light = tools.stage.scene().lights.size();
+    tools.editor.light = tools.stage.lights().size();
 }
 
 void draw_list(PanelTools& tools) {
-    const auto& lights = tools.stage.scene().lights;
+    const auto& lights = tools.stage.lights();
     for (std::size_t i = 0; i < lights.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
         const std::string text = lights[i].name + "###light";
@@ -143,15 +142,15 @@ void draw_add(PanelTools& tools) {
 
 }  // namespace
 
-void remove_light(Editor& editor, const scene::Scene& scene, std::size_t light) {
-    const std::size_t first = added_from(editor, scene);
-    if (light < first || light >= scene.lights.size()) return;
+void remove_light(Editor& editor, std::size_t light_count, std::size_t light) {
+    const std::size_t first = added_from(editor, light_count);
+    if (light < first || light >= light_count) return;
     editor.history.seal();
     editor.edit("remove light", [&](tables::Settings& settings) {
         settings.light.erase(settings.light.begin() + static_cast<std::ptrdiff_t>(light - first));
         clear_path(settings, light_path(light, ""));
         // Those behind it move up.
-        for (std::size_t i = light + 1; i < scene.lights.size(); ++i) {
+        for (std::size_t i = light + 1; i < light_count; ++i) {
             const std::string old = light_path(i, "");
             for (std::string& text : settings.set)
                 if (text.starts_with(old)) text = light_path(i - 1, "") + text.substr(old.size());
@@ -161,17 +160,17 @@ void remove_light(Editor& editor, const scene::Scene& scene, std::size_t light) 
 }
 
 void draw_lights(PanelTools& tools) {
-    const scene::Scene& scene = tools.stage.scene();
+    const auto& lights = tools.stage.lights();
     draw_list(tools);
     draw_add(tools);
-    if (!tools.editor.light || *tools.editor.light >= scene.lights.size()) return;
+    if (!tools.editor.light || *tools.editor.light >= lights.size()) return;
     const std::size_t index = *tools.editor.light;
     ImGui::SameLine();
-    ImGui::BeginDisabled(index < added_from(tools.editor, scene));
+    ImGui::BeginDisabled(index < added_from(tools.editor, lights.size()));
     const bool removed = button(tools.ui, "remove_light");
     ImGui::EndDisabled();
-    if (removed) return remove_light(tools.editor, scene, index);
-    const auto keys = base::split(kind_of(scene.lights[index]).keys, ',');
+    if (removed) return remove_light(tools.editor, lights.size(), index);
+    const auto keys = base::split(kind_of(lights[index]).keys, ',');
     for (const LightKeyRow& row : tables::light_keys)
         if (!row.write_only && std::find(keys.begin(), keys.end(), row.key) != keys.end())
             draw_key(tools, row, index);

@@ -7,7 +7,7 @@
 namespace facet::studio {
 
 void draw_lights(PanelTools& tools);
-/// Takes away a light that the document added.
-void remove_light(Editor& editor, const scene::Scene& scene, std::size_t light);
+/// Takes away light `light` of `light_count`, where it is one that the document added.
+void remove_light(Editor& editor, std::size_t light_count, std::size_t light);
 
 }  // namespace facet::studio

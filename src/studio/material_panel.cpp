@@ -6,6 +6,7 @@
 #include "studio/widgets.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace facet::studio {
 namespace {
@@ -52,7 +53,7 @@ void draw_param(PanelTools& tools, const MaterialParam& param, std::size_t index
 }
 
 void choose_material(PanelTools& tools) {
-    const auto& materials = tools.stage.scene().materials;
+    const auto& materials = tools.stage.materials();
     std::vector<std::string> names;
     for (const scene::Material& material : materials) names.push_back(material.name);
     std::size_t chosen = tools.editor.material.value_or(0);
@@ -78,17 +79,11 @@ std::vector<std::pair<std::string, std::string>> values_of(const scene::Material
 void draw_tools(PanelTools& tools, std::size_t index) {
     Ui& ui = tools.ui;
     Editor& editor = tools.editor;
-    if (button(ui, "copy"))
-        editor.copied_material = values_of(tools.stage.scene().materials[index]);
+    const bool copies = button(ui, "copy") || std::exchange(editor.wanted.copy_material, false);
+    if (copies) editor.copied_material = values_of(tools.stage.materials()[index]);
     tooltip(ui.t("studio.copy.help"));
     ImGui::SameLine();
-    if (button(ui, "paste") && !editor.copied_material.empty()) {
-        editor.history.seal();
-        editor.edit("paste", [&](tables::Settings& settings) {
-            for (const auto& [key, value] : editor.copied_material)
-                set_path(settings, material_path(index, key), value);
-        });
-    }
+    if (button(ui, "paste")) editor.paste_material(index);
     tooltip(ui.t("studio.paste.help"));
     ImGui::SameLine();
     if (button(ui, "reset")) editor.clear(material_path(index, ""));
@@ -102,7 +97,7 @@ void draw_tools(PanelTools& tools, std::size_t index) {
 }  // namespace
 
 void draw_material_panel(PanelTools& tools) {
-    const auto& materials = tools.stage.scene().materials;
+    const auto& materials = tools.stage.materials();
     if (materials.empty()) {
         ImGui::TextDisabled("%s", tools.ui.t("studio.no_materials"));
         return;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "studio/editor.h"
+#include "studio/inspection.h"
 #include "studio/stage.h"
 #include "studio/ui.h"
 
@@ -14,6 +15,7 @@ struct PanelTools {
     Editor& editor;
     const Stage& stage;
     const gl::Context& gl;
+    const Inspection& inspection;
 };
 
 void draw_material_panel(PanelTools& tools);

@@ -101,6 +101,8 @@ base::Status Stage::open(const Document& document, bool steady) {
     if (!session) return tl::unexpected(session.error());
     session_ = std::make_unique<render::Session>(std::move(*session));
     session_settings_ = settings;
+    materials_ = scene().materials;
+    lights_ = scene().lights;
     scene_name_ = document.scene;
     warnings_ = std::move(warnings);
     steady_ = steady;
@@ -145,6 +147,18 @@ base::Status Stage::apply(const tables::Settings& settings) {
     return {};
 }
 
+base::Status Stage::apply_scenery(const Scenery& scenery, Extent size) {
+    Scenery plain = scenery;
+    plain.look.solo = false;
+    if (view_by_key(plain.look.view).furnace) plain.look.view = "beauty";
+    const tables::Settings settings = settings_for(scenery, size);
+    const tables::Settings plain_settings = settings_for(plain, size);
+    if (auto s = apply(plain_settings); !s) return s;
+    materials_ = scene().materials;
+    lights_ = scene().lights;
+    return settings == plain_settings ? base::Status{} : apply(settings);
+}
+
 std::uint32_t Stage::samples_wanted() const { return session_->plan().sample_count; }
 
 base::Status Stage::step(const Scenery& scenery, UiRenderer& pictures) {
@@ -155,7 +169,7 @@ base::Status Stage::step(const Scenery& scenery, UiRenderer& pictures) {
     const bool restart = is_new || size != size_px();
     const bool look_changed = applied_ && !(applied_->look == scenery.look);
     if (restart) {
-        if (auto s = apply(settings_for(scenery, size)); !s) return s;
+        if (auto s = apply_scenery(scenery, size); !s) return s;
         drawn_ = 0;
         original_shown_ = false;
     } else if (finished_ && !look_changed) {
@@ -195,7 +209,10 @@ base::Status Stage::show(const Scenery& scenery, UiRenderer& pictures) {
     if (finished_ && scenery.look.beside == Beside::original && !original_shown_)
         if (auto s = show_original(scenery, pictures); !s) return s;
     if (auto s = session_->display(exposure_, drawn_); !s) return s;
-    if (finished_) shown_ = session_->read_display();
+    if (finished_) {
+        shown_ = session_->read_display();
+        ++shown_count_;
+    }
     if (view.aovs.empty()) {
         pictures.hide(Slot::viewport);
         pictures.show(Slot::viewport, session_->display_texture());

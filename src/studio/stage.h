@@ -71,8 +71,13 @@ public:
     [[nodiscard]] bool is_finished() const { return finished_; }
 
     [[nodiscard]] const scene::Scene& scene() const;
+    /// As the document has them; the scene's own are those of the view.
+    [[nodiscard]] const std::vector<scene::Material>& materials() const { return materials_; }
+    [[nodiscard]] const std::vector<scene::Light>& lights() const { return lights_; }
     [[nodiscard]] const render::Job& job() const;
     [[nodiscard]] const render::Plan& plan() const;
+    /// Those that the session draws: the document's, but for size and view.
+    [[nodiscard]] const tables::Settings& settings() const { return session_settings_; }
     [[nodiscard]] const base::Warnings& warnings() const { return warnings_; }
     [[nodiscard]] base::Status reload_shaders();
     /// Reads the environment's and the materials' files again.
@@ -82,6 +87,8 @@ public:
     [[nodiscard]] base::Result<std::vector<Probed>> probe(math::Vec2 at_px);
     /// The finished picture as it is shown; rows from the top.
     [[nodiscard]] const image::Image& shown() const { return shown_; }
+    /// Counts the pictures that shown() was.
+    [[nodiscard]] std::uint32_t shown_count() const { return shown_count_; }
     /// Encodes radiance from elsewhere as the finished picture is.
     [[nodiscard]] base::Result<image::Image> encode(const image::Image& radiance);
 
@@ -96,6 +103,8 @@ private:
     [[nodiscard]] tables::Settings settings_for(const Scenery& scenery, math::Extent size) const;
     [[nodiscard]] math::Extent size_for(const Scenery& scenery) const;
     [[nodiscard]] base::Status apply(const tables::Settings& settings);
+    /// What the view shows, and materials() and lights() of the document.
+    [[nodiscard]] base::Status apply_scenery(const Scenery& scenery, math::Extent size);
     [[nodiscard]] base::Status draw_sample(std::uint32_t count);
     [[nodiscard]] base::Status show(const Scenery& scenery, UiRenderer& pictures);
     [[nodiscard]] base::Status show_original(const Scenery& scenery, UiRenderer& pictures);
@@ -114,6 +123,9 @@ private:
     double ms_per_pixel_ = 8e-5;  ///< a guess, until the first frame is measured
     double last_ms_ = 0.0;
     image::Image shown_;
+    std::uint32_t shown_count_ = 0;
+    std::vector<scene::Material> materials_;
+    std::vector<scene::Light> lights_;
 };
 
 }  // namespace facet::studio

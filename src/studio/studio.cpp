@@ -5,26 +5,31 @@
 #include "base/file.h"
 #include "base/resources.h"
 #include "base/text.h"
+#include "base/texts.h"
 #include "image/write.h"
+#include "render/job.h"
 #include "render/plan.h"
-#include "studio/editor.h"
+#include "studio/commands.h"
 #include "studio/fonts.h"
 #include "studio/layout.h"
 #include "studio/menu.h"
 #include "studio/screen.h"
-#include "studio/stage.h"
+#include "studio/truth.h"
 
 #include <algorithm>
 #include <chrono>
-#include <memory>
 
 namespace facet::studio {
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
 constexpr float font_points = 15.0F;
-constexpr math::Extent first_window{1440, 860};
 /// Seconds that the loop sleeps where nothing is left to do: files are looked at then.
 constexpr double idle_s = 1.0;
+/// The same while something goes on elsewhere, and while a caret blinks.
+constexpr double soon_s = 0.1;
+constexpr double caret_s = 0.4;
 /// Seconds after the last change that count as moving.
 constexpr double moving_s = 0.25;
 constexpr float offscreen_frame_s = 1.0F / 60.0F;
@@ -47,27 +52,31 @@ struct ImGuiOwner {
 
 class Studio {
 public:
-    Studio(const StudioRequest& request, base::Log& log)
-        : request_(request), log_(log), player_(request.script) {}
+    Studio(const StudioRequest& request, base::Log& log);
     base::Status open();
     base::Status run();
 
 private:
     base::Status open_screen();
-    base::Status open_scene(const std::string& scene);
-    void use_scale(float scale);
+    void use_scale();
     base::Status draw_frame();
+    void draw_panels_and_dialogs();
     void do_wanted();
+    void frame_selected();
+    void inspect();
     base::Status act(const ScriptStep& step);
     base::Status step_stage();
     base::Status write_shot(const std::filesystem::path& path);
-    [[nodiscard]] bool is_over() const;
+    [[nodiscard]] bool is_over();
+    [[nodiscard]] bool is_settled() const;
     [[nodiscard]] double wait_s() const;
 
     const StudioRequest& request_;
     base::Log& log_;
     ImGuiOwner imgui_;
     base::ThreadPool pool_;
+    Config config_;
+    Config config_on_disk_;
     std::optional<base::Texts> texts_;
     gl::ShaderSources sources_;
     // The screen has the GL context that everything below needs.
@@ -76,24 +85,38 @@ private:
     std::optional<Ui> ui_;
     std::optional<Stage> stage_;
     Editor editor_;
-    Layout layout_;
-    Theme theme_ = Theme::dark;
+    std::optional<Commands> commands_;
+    std::optional<Truth> truth_;
+    Inspection inspection_;
+    std::uint32_t inspected_count_ = 0;
+    std::optional<math::Vec2> probed_px_;
     Input input_;
     ScriptPlayer player_;
     float scale_ = 0.0F;
+    Theme theme_ = Theme::dark;
     math::Extent area_px_;
     std::uint32_t frame_ = 0;
     std::uint32_t calm_frames_ = 0;  ///< since something happened
-    std::chrono::steady_clock::time_point last_change_{};
-    std::chrono::steady_clock::time_point last_frame_{};
+    Clock::time_point last_change_{};
+    Clock::time_point last_frame_{};
     std::optional<std::filesystem::path> shot_;  ///< of the frame being drawn
 };
 
+Studio::Studio(const StudioRequest& request, base::Log& log)
+    : request_(request), log_(log), player_(request.script) {
+    // Without a window nobody's habits count: the same pictures everywhere.
+    if (!request.offscreen) config_ = load_config();
+    config_on_disk_ = config_;
+    if (request.theme) config_.theme = *request.theme;
+    if (!request.language.empty()) config_.language = request.language;
+    if (config_.language.empty()) config_.language = request.offscreen ? "en" : desktop_language();
+    if (request.window_points.width > 0) config_.window_points = request.window_points;
+}
+
 base::Status Studio::open() {
-    auto texts = base::Texts::load(request_.language.empty() ? "en" : request_.language);
+    auto texts = base::Texts::load(config_.language);
     if (!texts) return tl::unexpected(texts.error());
     texts_ = std::move(*texts);
-    if (request_.theme) theme_ = *request_.theme;
     if (auto s = open_screen(); !s) return s;
     const auto folder = base::data_folder();
     if (!folder) return tl::unexpected(folder.error());
@@ -103,93 +126,157 @@ base::Status Studio::open() {
     pictures_ = std::move(*pictures);
     ui_.emplace(Ui{*texts_, *pictures_});
     stage_.emplace(StageTools{screen_->gl(), pool_, log_});
-    editor_.document.settings = request_.settings;
-    return open_scene(request_.scene);
+    commands_.emplace(CommandTools{editor_, *stage_, config_, *ui_, request_.offscreen},
+                      request_.offscreen ? std::filesystem::path() : state_folder());
+    truth_.emplace([this] {
+        if (Window* window = screen_->window()) window->wake();
+    });
+    return commands_->open_scene({request_.scene, request_.settings});
 }
 
 base::Status Studio::open_screen() {
-    math::Extent points = request_.window_points;
-    if (points.width == 0) points = first_window;
     const auto plan = render::make_plan(request_.settings);
     if (!plan) return tl::unexpected(plan.error());
-    auto screen = request_.offscreen ? Screen::open_offscreen(points, plan->backend, log_)
-                                     : Screen::open_window(points, log_);
+    auto screen = request_.offscreen
+                      ? Screen::open_offscreen(config_.window_points, plan->backend, log_)
+                      : Screen::open_window(config_.window_points, log_);
     if (!screen) return tl::unexpected(screen.error());
     screen_ = std::move(*screen);
     if (screen_->window() != nullptr) screen_->window()->share_clipboard();
     return {};
 }
 
-base::Status Studio::open_scene(const std::string& scene) {
-    Document document{scene, editor_.document.settings};
-    if (auto s = stage_->open(document, request_.offscreen); !s) return s;
-    editor_.document = document;
-    editor_.opened = document.settings;
-    editor_.history.clear();
-    editor_.unsaved = false;
-    editor_.material = std::nullopt;
-    editor_.light = std::nullopt;
-    editor_.orbit = std::nullopt;
-    for (const base::Warning& warning : stage_->warnings())
-        editor_.say(Message::Kind::warning, base::to_line(warning));
-    return {};
-}
-
-void Studio::use_scale(float scale) {
-    if (scale == scale_) return;
-    scale_ = scale;
-    ui_->scale = scale;
-    apply_theme(theme_, scale);
-    (void)load_fonts(font_points * scale);
-    if (auto s = pictures_->upload_font(screen_->gl(), *ImGui::GetIO().Fonts); !s)
-        editor_.complain(s.error());
+void Studio::use_scale() {
+    if (input_.scale != scale_) {
+        scale_ = input_.scale;
+        ui_->scale = scale_;
+        const Fonts fonts = load_fonts(font_points * scale_);
+        if (auto s = pictures_->upload_font(screen_->gl(), *ImGui::GetIO().Fonts); !s)
+            editor_.complain(s.error());
+        if (!fonts.has_cyrillic && texts_->language() == "ru")
+            editor_.say(Message::Kind::warning, "apt-get install fonts-dejavu-core");
+        apply_theme(config_.theme, scale_);
+        theme_ = config_.theme;
+    }
+    if (theme_ != config_.theme) {
+        theme_ = config_.theme;
+        apply_theme(theme_, scale_);
+    }
+    if (texts_->language() == config_.language) return;
+    if (auto texts = base::Texts::load(config_.language)) *texts_ = std::move(*texts);
 }
 
 base::Status Studio::step_stage() {
-    const auto now = std::chrono::steady_clock::now();
-    const std::chrono::duration<double> since = now - last_change_;
+    const std::chrono::duration<double> since = Clock::now() - last_change_;
+    const bool held = input_.buttons != std::array<bool, 3>{} || input_.wheel != 0.0F;
     const Scenery scenery{.settings = editor_.document.settings,
                           .opened = editor_.opened,
                           .look = editor_.look,
                           .solo = editor_.material,
                           .area_px = area_px_,
-                          .moving = since.count() < moving_s && input_.buttons[0]};
-    return stage_->step(scenery, *pictures_);
+                          .moving = since.count() < moving_s && held};
+    auto stepped = stage_->step(scenery, *pictures_);
+    if (!stepped) return stepped;
+    truth_->update(screen_->gl(), *stage_, editor_, *pictures_, inspection_);
+    inspect();
+    return {};
+}
+
+void Studio::inspect() {
+    if (stage_->is_finished() && stage_->shown_count() != inspected_count_) {
+        inspected_count_ = stage_->shown_count();
+        inspection_.histogram = histogram(stage_->shown());
+        if (auto s =
+                pictures_->upload(screen_->gl(), Slot::overlay, clipping_overlay(stage_->shown()));
+            !s)
+            editor_.complain(s.error());
+        probed_px_.reset();
+    }
+    const auto at_px = editor_.wanted.probe_px;
+    editor_.wanted.probe_px.reset();
+    if (!at_px || !stage_->is_finished() || probed_px_ == at_px) return;
+    probed_px_ = at_px;
+    auto probed = stage_->probe(*at_px);
+    if (!probed) return editor_.complain(probed.error());
+    const math::Vec3 eye_m(stage_->job().camera.world_from_view[3]);
+    inspection_.pixel = facts_of(*at_px, std::move(*probed), eye_m, stage_->plan().brdf);
+}
+
+void Studio::frame_selected() {
+    const scene::Scene& scene = stage_->scene();
+    math::Bounds bounds;
+    for (const scene::Instance& instance : scene.instances) {
+        const scene::Mesh& mesh = scene.meshes[instance.mesh.index];
+        if (editor_.material && mesh.material.index != *editor_.material) continue;
+        for (unsigned corner = 0; corner < 8; ++corner) {
+            const math::Bounds& b = mesh.bounds_m;
+            const math::Vec3 at((corner & 1U) != 0 ? b.high.x : b.low.x,
+                                (corner & 2U) != 0 ? b.high.y : b.low.y,
+                                (corner & 4U) != 0 ? b.high.z : b.low.z);
+            bounds.add(math::Vec3(instance.world_from_object * math::Vec4(at, 1.0F)));
+        }
+    }
+    Orbit orbit = orbit_of(stage_->job().camera, scene.bounds_m());
+    frame(orbit, bounds, stage_->job().camera.yfov_rad,
+          static_cast<float>(area_px_.width) / static_cast<float>(std::max(1U, area_px_.height)));
+    editor_.orbit = orbit;
+    tables::Settings& settings = editor_.document.settings;
+    if (settings.fov == 0.0F && !settings.camera.starts_with("orbit"))
+        settings.fov = stage_->job().camera.yfov_rad * 180.0F / math::pi;
+    settings.camera = camera_text(orbit);
 }
 
 void Studio::do_wanted() {
-    Wanted wanted = std::exchange(editor_.wanted, {});
-    if (wanted.open)
-        if (auto s = open_scene(*wanted.open); !s) editor_.complain(s.error());
+    Wanted& wanted = editor_.wanted;
+    if (const auto scene = std::exchange(wanted.open, std::nullopt))
+        if (auto s = commands_->open_scene({*scene, request_.settings}); !s)
+            editor_.complain(s.error());
+    if (std::exchange(wanted.frame_selected, false)) frame_selected();
+    if (const auto at_px = std::exchange(wanted.pick_px, std::nullopt)) {
+        const auto probed = stage_->probe(*at_px);
+        if (!probed) return editor_.complain(probed.error());
+        for (const Probed& value : *probed)
+            if (value.aov == tables::Aov::material_id && value.value.x > 0.0F)
+                editor_.material = static_cast<std::size_t>(value.value.x) - 1;
+    }
+}
+
+void Studio::draw_panels_and_dialogs() {
+    PanelTools tools{*ui_, editor_, *stage_, screen_->gl(), inspection_};
+    const auto action = draw_menu(tools, config_.recent);
+    area_px_ = draw_panels(tools, config_.layout);
+    draw_status(tools);
+    commands_->draw();
+    if (action) commands_->act(*action);
+    commands_->drop_files(input_);
+    commands_->update();
 }
 
 base::Status Studio::draw_frame() {
-    const auto now = std::chrono::steady_clock::now();
+    const auto now = Clock::now();
     const std::chrono::duration<float> passed = now - last_frame_;
     last_frame_ = now;
-    use_scale(input_.scale);
+    use_scale();
     feed_imgui(input_,
                request_.offscreen ? offscreen_frame_s : std::clamp(passed.count(), 1e-4F, 0.5F));
     ImGui::NewFrame();
     ui_->widgets.clear();
     const tables::Settings before = editor_.document.settings;
-    PanelTools tools{*ui_, editor_, *stage_, screen_->gl()};
-    draw_menu(tools);
-    area_px_ = draw_panels(tools, layout_);
-    draw_status(tools);
+    draw_panels_and_dialogs();
     ImGui::Render();
     if (!ImGui::IsAnyItemActive()) editor_.history.seal();
-    if (!(before == editor_.document.settings)) last_change_ = now;
     do_wanted();
+    if (!(before == editor_.document.settings)) last_change_ = now;
     if (auto s = step_stage(); !s) {
+        // What cannot be drawn was not done.
         editor_.complain(s.error());
         editor_.document.settings = before;
     }
     const auto target = screen_->begin(input_.window_px, theme_ == Theme::dark ? 0.1F : 0.8F);
     if (!target) return tl::unexpected(target.error());
     pictures_->draw(screen_->gl(), *ImGui::GetDrawData(), *target, input_.window_px);
-    if (shot_)
-        if (auto s = write_shot(*std::exchange(shot_, std::nullopt)); !s) return s;
+    if (const auto shot = std::exchange(shot_, std::nullopt))
+        if (auto s = write_shot(*shot); !s) return s;
     screen_->show();
     return screen_->gl().check("studio");
 }
@@ -201,23 +288,36 @@ base::Status Studio::write_shot(const std::filesystem::path& path) {
 }
 
 base::Status Studio::act(const ScriptStep& step) {
+    tables::Settings& settings = editor_.document.settings;
     switch (step.verb) {
-        case Verb::set:
+        case Verb::set: {
+            const std::string value = base::join(std::span(step.words).subspan(1), " ");
             editor_.history.seal();
-            editor_.set(step.words[0], base::join(std::span(step.words).subspan(1), " "));
-            return {};
+            if (step.words[0].find_first_of(".[") != std::string::npos) {
+                editor_.set(step.words[0], value);
+                return {};
+            }
+            base::Status assigned;
+            editor_.edit(step.words[0], [&](tables::Settings& s) {
+                assigned = assign_setting(s, step.words[0], {value});
+            });
+            return assigned;
+        }
         case Verb::open:
-            return open_scene(step.words[0]);
+            return commands_->open_scene({step.words[0], settings});
+        case Verb::save:
+            return commands_->save_to(step.words[0]);
         case Verb::undo:
-            editor_.history.undo(editor_.document.settings);
+            editor_.history.undo(settings);
             return {};
         case Verb::redo:
-            editor_.history.redo(editor_.document.settings);
+            editor_.history.redo(settings);
             return {};
         case Verb::shot:
             shot_ = step.words[0];
             return {};
         case Verb::quit:
+            editor_.unsaved = false;
             input_.wants_close = true;
             return {};
         default:
@@ -225,23 +325,31 @@ base::Status Studio::act(const ScriptStep& step) {
     }
 }
 
-bool Studio::is_over() const {
-    if (input_.wants_close) return true;
+bool Studio::is_settled() const {
+    return stage_->is_finished() && !commands_->is_busy();
+}
+
+bool Studio::is_over() {
+    const bool asked = input_.wants_close || std::exchange(editor_.wanted.quit, false);
+    input_.wants_close = false;
+    if (asked) return commands_->may_close();
     if (request_.frames > 0) return frame_ >= request_.frames;
-    return request_.has_script && player_.is_done() && (request_.offscreen || !shot_);
+    return request_.has_script && request_.offscreen && player_.is_done() && !shot_;
 }
 
 double Studio::wait_s() const {
-    const bool busy =
-        !stage_->is_finished() || !player_.is_done() || request_.frames > 0 || calm_frames_ < 3;
-    return busy ? 0.0 : idle_s;
+    const bool busy = !stage_->is_finished() || !player_.is_done() || request_.frames > 0 ||
+                      calm_frames_ < 3 || !editor_.history.is_sealed();
+    if (busy) return 0.0;
+    if (ImGui::GetIO().WantTextInput) return caret_s;
+    return commands_->is_busy() || !truth_->is_quiet() ? soon_s : idle_s;
 }
 
 base::Status Studio::run() {
     while (!is_over()) {
         screen_->poll(input_, wait_s());
         calm_frames_ = input_.is_idle() ? calm_frames_ + 1 : 0;
-        const auto played = player_.play(input_, *ui_, stage_->is_finished(),
+        const auto played = player_.play(input_, *ui_, is_settled(),
                                          [this](const ScriptStep& step) { return act(step); });
         if (!played) return played;
         ++frame_;
@@ -250,6 +358,8 @@ base::Status Studio::run() {
         if (input_.window_px.pixels() == 0) continue;  // an iconified window
         if (auto s = draw_frame(); !s) return s;
     }
+    commands_->discard();
+    if (!request_.offscreen && !(config_ == config_on_disk_)) save_config(config_);
     return {};
 }
 

@@ -16,7 +16,7 @@ constexpr std::uint32_t preview_px = 256;
 constexpr std::array channel_names = {"RGB", "R", "G", "B", "A"};
 
 /// The picture of a texture and the choice of its channel.
-void draw_popup(PanelTools& tools, const scene::SceneImage& image) {
+void draw_popup(PanelTools& tools, const scene::SceneImage& image, std::size_t slot) {
     ImGuiStorage& memory = *ImGui::GetStateStorage();
     const ImGuiID id = ImGui::GetID("channel");
     int channel = memory.GetInt(id, 0);
@@ -29,6 +29,8 @@ void draw_popup(PanelTools& tools, const scene::SceneImage& image) {
         tools.ui.mark(fmt::format("channel.{}", channel_names[static_cast<std::size_t>(i)]));
     }
     memory.SetInt(id, channel);
+    ImGui::SameLine();
+    if (small_button(tools.ui, "replace_texture")) tools.editor.wanted.texture = slot;
     const image::Image small = preview(*image.pixels, static_cast<Channel>(channel), preview_px);
     if (is_new)
         if (auto s = tools.ui.pictures.upload(tools.gl, Slot::texture, small); !s)
@@ -45,7 +47,7 @@ void draw_row(PanelTools& tools, std::size_t material, std::size_t slot) {
     const std::string key(row.key);
     const std::string path = material_path(material, key);
     const scene::Scene& scene = tools.stage.scene();
-    const auto& texture = scene.materials[material].textures[slot];
+    const auto& texture = tools.stage.materials()[material].textures[slot];
     const bool is_changed = has_path(tools.editor.document.settings, path);
     ImGui::PushID(key.c_str());
     row_label(ui, ui.t.or_else("param." + key, row.key), ui.t.or_else("help." + key, row.help));
@@ -56,8 +58,12 @@ void draw_row(PanelTools& tools, std::size_t material, std::size_t slot) {
     const std::string name =
         texture ? std::filesystem::path(scene.images[texture->image.index].name).filename().string()
                 : ui.t("studio.none");
-    if (ImGui::Button((name + "###view").c_str(), {width, side}) && has_pixels)
-        ImGui::OpenPopup("texture");
+    if (ImGui::Button((name + "###view").c_str(), {width, side})) {
+        if (has_pixels)
+            ImGui::OpenPopup("texture");
+        else
+            tools.editor.wanted.texture = slot;
+    }
     ui.mark(key);
     tooltip(ui.t("studio.texture.help"));
     ImGui::SameLine();
@@ -80,7 +86,7 @@ void draw_row(PanelTools& tools, std::size_t material, std::size_t slot) {
         ImGui::Dummy({side, side});
     }
     if (ImGui::BeginPopup("texture")) {
-        draw_popup(tools, scene.images[texture->image.index]);
+        draw_popup(tools, scene.images[texture->image.index], slot);
         ImGui::EndPopup();
     }
     ImGui::PopID();

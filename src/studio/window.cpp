@@ -183,7 +183,7 @@ void Window::set_title(const std::string& title) {
 gl::Loader Window::loader() const {
     return reinterpret_cast<gl::Loader>(impl_->glfw.GetProcAddress);
 }
-double Window::now_s() const { return impl_->glfw.GetTime(); }
+void Window::wake() const { impl_->glfw.PostEmptyEvent(); }
 
 void Window::share_clipboard() {
     ImGuiIO& io = ImGui::GetIO();

@@ -24,12 +24,12 @@ public:
     void poll(Input& input, double wait_s);
     /// Shows what was drawn into framebuffer 0.
     void swap();
+    /// Ends a waiting poll(); from any thread.
+    void wake() const;
     void set_title(const std::string& title);
     [[nodiscard]] gl::Loader loader() const;
     /// Makes ImGui's copying and pasting the desktop's.
     void share_clipboard();
-    /// Seconds since the program began to use windows.
-    [[nodiscard]] double now_s() const;
 
 private:
     struct Impl;

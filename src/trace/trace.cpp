@@ -23,9 +23,6 @@ double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Samples that a pass adds to each of its pixels: few at first, so that something is there early
-/// and a time limit is kept, then more, so that a pass is long beside its overhead.
-constexpr std::uint32_t largest_pass = 16;
 /// Before this many samples a pixel's variance says little (its standard error is a quarter of it).
 constexpr std::uint32_t trusted_samples = 32;
 /// A ray stands for no less than this share of a pixel: finer would see texels that a picture
@@ -84,11 +81,12 @@ void report(const TraceSettings& settings, std::uint32_t done, const Film& film,
              fmt::format("{} samples, noise {:.2g} of {:.2g}", done, noise, *settings.noise));
 }
 
-/// Samples of the next pass: as many as there are, until then, but no more than the time that is
-/// left allows for.
+/// Samples of the next pass: few at first, so that something is there early and a time limit is
+/// kept, then as many as there are, so that a pass is long beside its overhead, but no more than
+/// the time that is left allows for.
 std::uint32_t next_pass(const TraceSettings& settings, std::uint32_t done, double elapsed_s) {
     const std::uint32_t count =
-        std::min({std::max(1U, done), largest_pass, settings.samples - done});
+        std::min({std::max(1U, done), settings.largest_pass, settings.samples - done});
     if (!settings.time_s || done == 0) return count;
     const double each_s = elapsed_s / done;
     const double room = (*settings.time_s - elapsed_s) / std::max(each_s, 1e-9);
@@ -147,7 +145,7 @@ base::Result<Tracer> Tracer::create(const TraceInputs& inputs, const base::Limit
 }
 
 Traced Tracer::trace(const TraceSettings& settings, base::ThreadPool& pool,
-                     const base::Progress& progress) const {
+                     const base::Progress& progress, const Preview& preview) const {
     const auto start = Clock::now();
     const World world = impl_->world(settings.bounces);
     const CameraRays camera(impl_->inputs.camera, settings.picture);
@@ -156,7 +154,10 @@ Traced Tracer::trace(const TraceSettings& settings, base::ThreadPool& pool,
     std::vector<std::size_t> tiles(film.tile_count());
     std::iota(tiles.begin(), tiles.end(), std::size_t{0});
     std::uint32_t first = 0;
-    while (first < settings.samples && !tiles.empty()) {
+    const auto is_cancelled = [&] {
+        return settings.cancelled != nullptr && settings.cancelled->load(std::memory_order_relaxed);
+    };
+    while (first < settings.samples && !tiles.empty() && !is_cancelled()) {
         const std::uint32_t count = next_pass(settings, first, seconds_since(start));
         if (count == 0) {
             out.stopped_by_time = true;
@@ -164,7 +165,8 @@ Traced Tracer::trace(const TraceSettings& settings, base::ThreadPool& pool,
         }
         std::vector<TileCounts> counts(tiles.size());
         pool.parallel_for(tiles.size(), [&](std::size_t i) {
-            counts[i] = trace_tile({world, camera, settings}, film, tiles[i], first, count);
+            if (!is_cancelled())
+                counts[i] = trace_tile({world, camera, settings}, film, tiles[i], first, count);
         });
         for (const TileCounts& tile : counts) {
             out.paths += tile.paths;
@@ -178,6 +180,9 @@ Traced Tracer::trace(const TraceSettings& settings, base::ThreadPool& pool,
             });
         }
         if (progress) report(settings, first, film, progress);
+        if (preview && !is_cancelled())
+            preview(film.mean(),
+                    static_cast<double>(out.paths) / static_cast<double>(settings.size.pixels()));
     }
     out.radiance = film.mean();
     out.noise = film.error(settings.exposure);

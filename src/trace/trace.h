@@ -12,6 +12,8 @@
 #include "tables/aovs.h"
 #include "tables/brdf_terms.h"
 
+#include <atomic>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -42,8 +44,13 @@ struct TraceSettings {
     double exposure = 1.0;  ///< for `noise`: what display values are
     std::optional<double> time_s;  ///< stop after this long; what is there is the picture
     std::uint32_t seed = 0;
-    std::uint32_t bounces = 64;  ///< after the first surface; paths end by chance long before
+    std::uint32_t bounces = 64;       ///< after the first surface; paths end by chance long before
+    std::uint32_t largest_pass = 16;  ///< samples that each pixel gets at a time
+    const std::atomic<bool>* cancelled =
+        nullptr;  ///< looked at often; once it is true, what is there is the picture
 };
+/// Sees the picture after each pass, and its samples per pixel.
+using Preview = std::function<void(const image::Image& radiance, double samples)>;
 
 struct Traced {
     image::Image radiance;  ///< f32 [height, width, 4] in nit, coverage associated
@@ -69,7 +76,8 @@ public:
 
     /// The same bytes for any number of threads (but for time_s).
     [[nodiscard]] Traced trace(const TraceSettings& settings, base::ThreadPool& pool,
-                               const base::Progress& progress = {}) const;
+                               const base::Progress& progress = {},
+                               const Preview& preview = {}) const;
 
     /// What the camera meets first, a layer each (tables/aovs.def); means are of `samples` rays, 16
     /// at most.
