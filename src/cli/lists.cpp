@@ -7,6 +7,7 @@
 #include "brdf/presets.h"
 #include "cli/scene_options.h"
 #include "scene/load.h"
+#include "scene/material_file.h"
 #include "tables/aovs.h"
 #include "tables/brdf_terms.h"
 #include "tables/environments.h"
@@ -95,6 +96,15 @@ Result<scene::Scene> scene_of(const std::string& path, std::string_view what) {
     if (!loaded) return tl::unexpected(base::in_file(loaded.error(), path));
     return std::move(loaded->scene);
 }
+Entries list_material_presets() {
+    std::vector<Entry> entries;
+    for (const std::string& name : scene::material_presets()) {
+        const auto file = scene::load_material(name, {});
+        if (!file) return tl::unexpected(file.error());
+        entries.push_back({name, fmt::format("{}; {}", file->name, file->source)});
+    }
+    return entries;
+}
 Entries list_cameras(const std::string& path) {
     const auto scene = scene_of(path, "cameras");
     if (!scene) return tl::unexpected(scene.error());
@@ -104,7 +114,9 @@ Entries list_cameras(const std::string& path) {
             {camera.name, camera.node.empty() ? "" : fmt::format("node {}", camera.node)});
     return entries;
 }
+/// Those of the scene, or without one what --material can give it.
 Entries list_materials(const std::string& path) {
+    if (path.empty()) return list_material_presets();
     const auto scene = scene_of(path, "materials");
     if (!scene) return tl::unexpected(scene.error());
     std::vector<Entry> entries;

@@ -6,6 +6,7 @@
 #include "scene/camera_spec.h"
 #include "scene/light_spec.h"
 #include "scene/load.h"
+#include "scene/material_file.h"
 #include "scene/set_path.h"
 
 #include <utility>
@@ -46,8 +47,11 @@ base::Status add_lights(const tables::Settings& settings, const Plan& plan, scen
 
 base::Status edit(const tables::Settings& settings, const Plan& plan, scene::Scene& scene) {
     if (auto added = add_lights(settings, plan, scene); !added) return added;
+    for (const std::string& text : settings.material)
+        if (auto set = scene::apply_material_setting(scene, text, plan.limits); !set)
+            return tl::unexpected(base::in_file(set.error(), "--material"));
     for (const std::string& text : settings.set)
-        if (auto set = scene::apply_set(scene, text); !set)
+        if (auto set = scene::apply_set(scene, text, plan.limits); !set)
             return tl::unexpected(base::in_file(set.error(), "--set"));
     return {};
 }
@@ -58,13 +62,10 @@ base::Status apply_edits(const tables::Settings& settings, const Plan& plan, Job
     scene::Scene& scene = job.scene;
     auto materials = std::exchange(scene.materials, job.originals.materials);
     auto lights = std::exchange(scene.lights, job.originals.lights);
-    auto images = scene.images;
-    scene.images.resize(job.originals.image_count);
     auto edited = edit(settings, plan, scene);
     if (edited) return edited;
     scene.materials = std::move(materials);
     scene.lights = std::move(lights);
-    scene.images = std::move(images);
     return edited;
 }
 
@@ -90,7 +91,7 @@ base::Result<Job> load_job(const Request& request, const Plan& plan, base::Threa
     Job job{.scene = std::move(loaded->scene),
             .warnings = std::move(loaded->warnings),
             .reads = std::move(loaded->reads)};
-    job.originals = {job.scene.materials, job.scene.lights, job.scene.images.size()};
+    job.originals = {job.scene.materials, job.scene.lights};
     if (auto s = apply_edits(settings, plan, job); !s) return tl::unexpected(s.error());
     if (auto s = load_environment(settings, plan, pool, job); !s) return tl::unexpected(s.error());
     if (auto s = aim_camera(settings, job); !s) return tl::unexpected(s.error());

@@ -17,7 +17,6 @@ namespace facet::render {
 struct Originals {
     std::vector<scene::Material> materials;
     std::vector<scene::Light> lights;
-    std::size_t image_count = 0;
 };
 
 struct Job {

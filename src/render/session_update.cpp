@@ -10,7 +10,8 @@ namespace {
 using tables::Settings;
 
 bool edits_differ(const Settings& a, const Settings& b) {
-    return a.light != b.light || a.no_file_lights != b.no_file_lights || a.set != b.set;
+    return a.light != b.light || a.no_file_lights != b.no_file_lights || a.set != b.set ||
+           a.material != b.material;
 }
 
 bool camera_differs(const Settings& a, const Settings& b) {

@@ -27,7 +27,19 @@ fs::path find_builtin(const fs::path& folder, const std::string& name) {
     return {};
 }
 
-base::Result<fs::path> resolve(const std::string& name) {
+fs::path folder_of(const fs::path& path) {
+    return path.has_parent_path() ? path.parent_path() : fs::path(".");
+}
+
+gltf::Origin origin_of(const std::string& label, std::optional<fs::path> folder,
+                       const LoadOptions& options) {
+    return {
+        .label = label, .folder = std::move(folder), .allowed_folders = options.allowed_folders};
+}
+
+}  // namespace
+
+base::Result<fs::path> path_of(const std::string& name) {
     if (!name.starts_with(builtin_prefix)) return fs::path(name);
     const std::string scene = name.substr(builtin_prefix.size());
     const std::vector<std::string> names = builtin_scene_names();
@@ -41,18 +53,6 @@ base::Result<fs::path> resolve(const std::string& name) {
                        .found = {},
                        .remedy = base::suggestion(scene, names)});
 }
-
-fs::path folder_of(const fs::path& path) {
-    return path.has_parent_path() ? path.parent_path() : fs::path(".");
-}
-
-gltf::Origin origin_of(const std::string& label, std::optional<fs::path> folder,
-                       const LoadOptions& options) {
-    return {
-        .label = label, .folder = std::move(folder), .allowed_folders = options.allowed_folders};
-}
-
-}  // namespace
 
 std::vector<std::string> builtin_scene_names() {
     std::vector<std::string> names;
@@ -72,7 +72,7 @@ std::vector<std::string> builtin_scene_names() {
 
 base::Result<Loaded> load(const std::string& name, const LoadOptions& options,
                           const base::Limits& limits, base::ThreadPool& pool) {
-    const auto path = resolve(name);
+    const auto path = path_of(name);
     if (!path) return tl::unexpected(path.error());
     auto file = base::read_file(*path, limits.file_bytes);
     if (!file) return base::fail(base::in_file(file.error(), name));
@@ -94,7 +94,7 @@ base::Result<Loaded> load_bytes(std::span<const std::byte> bytes, const std::str
 
 base::Result<std::vector<Finding>> check(const std::string& name, const LoadOptions& options,
                                          const base::Limits& limits) {
-    const auto path = resolve(name);
+    const auto path = path_of(name);
     if (!path) return tl::unexpected(path.error());
     auto file = base::read_file(*path, limits.file_bytes);
     if (!file) return base::fail(base::in_file(file.error(), name));

@@ -43,6 +43,8 @@ struct Loaded {
                                               const std::string& label, const LoadOptions& options,
                                               const base::Limits& limits, base::ThreadPool& pool);
 
+/// The file of a scene's name. Errors: usage (no such built-in scene).
+[[nodiscard]] base::Result<std::filesystem::path> path_of(const std::string& name);
 /// What can follow "builtin:", sorted.
 [[nodiscard]] std::vector<std::string> builtin_scene_names();
 

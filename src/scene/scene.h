@@ -53,6 +53,7 @@ struct Material {
     AlphaMode alpha_mode = AlphaMode::opaque;
     bool double_sided = false;
     bool unlit = false;
+    std::optional<std::uint32_t> source;  ///< index in the file; none: the default material
 
     [[nodiscard]] const std::optional<Texture>& texture(tables::TextureSlot slot) const {
         return textures[static_cast<std::size_t>(slot)];
@@ -100,6 +101,7 @@ struct Light {
     /// Gives the light of a mesh that emits, for renderers that do not draw from meshes: the
     /// reference leaves it out.
     bool stands_in = false;
+    std::optional<std::uint32_t> source_node;  ///< that it hangs on in the file
 };
 /// The axes of a light with a size: x is level, z is where it shines to; orthonormal, right-handed.
 struct LightAxes {
@@ -127,6 +129,7 @@ struct Camera {
 struct SceneImage {
     std::string name;  ///< uri or name, for messages
     std::shared_ptr<const image::Image> pixels;
+    bool is_added = false;  ///< not the scene's own: read from the file `name` since
 };
 
 struct Scene {

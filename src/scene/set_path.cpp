@@ -4,6 +4,7 @@
 
 #include "base/text.h"
 #include "scene/light_spec.h"
+#include "scene/set_texture.h"
 #include "scene/spec.h"
 
 #include <spdlog/fmt/fmt.h>
@@ -98,22 +99,30 @@ base::Status set_material_key(Material& material, std::string_view key, std::str
         const std::string_view name = tables::material_textures[slot].key;
         keys.emplace_back(name);
         if (name != key) continue;
-        if (value != "none")
-            return usage_error(fmt::format("{} can only be dropped", key), value,
-                               fmt::format("{}=none", key));
-        material.textures[slot].reset();
+        material.textures[slot].reset();  // other values are files: see apply_set()
         return {};
     }
     return usage_error("unknown key of a material", key, suggestion(key, keys));
+}
+
+template <class Thing>
+std::vector<std::string> names_of(const std::vector<Thing>& things) {
+    std::vector<std::string> names;
+    for (const Thing& thing : things) names.push_back(thing.name);
+    return names;
+}
+
+std::optional<std::size_t> texture_slot(std::string_view key) {
+    for (std::size_t slot = 0; slot < tables::material_textures.size(); ++slot)
+        if (tables::material_textures[slot].key == key) return slot;
+    return std::nullopt;
 }
 
 /// Applies `set` to copies first: all of them change or none does.
 template <class Thing>
 base::Status set_all(std::vector<Thing>& things, const Path& path,
                      const std::function<base::Status(Thing&)>& set) {
-    std::vector<std::string> names;
-    for (const Thing& thing : things) names.push_back(thing.name);
-    const auto found = matches(path, names);
+    const auto found = matches(path, names_of(things));
     if (!found) return tl::unexpected(found.error());
     std::vector<Thing> changed;
     for (const std::size_t i : *found) {
@@ -126,7 +135,7 @@ base::Status set_all(std::vector<Thing>& things, const Path& path,
 
 }  // namespace
 
-base::Status apply_set(Scene& scene, const std::string& assignment) {
+base::Status apply_set(Scene& scene, const std::string& assignment, const base::Limits& limits) {
     // The last one: names may hold anything, values never an equals sign.
     const std::size_t equals = assignment.rfind('=');
     if (equals == std::string::npos)
@@ -138,6 +147,12 @@ base::Status apply_set(Scene& scene, const std::string& assignment) {
         error.where = assignment.substr(0, equals);
         return error;
     };
+    const auto slot = path->room == "material" ? texture_slot(path->key) : std::nullopt;
+    if (slot && value != "none") {
+        const auto found = matches(*path, names_of(scene.materials));
+        if (!found) return tl::unexpected(placed(found.error()));
+        return set_texture(scene, *found, *slot, std::string(value), limits).map_error(placed);
+    }
     if (path->room == "material")
         return set_all<Material>(scene.materials, *path,
                                  [&](Material& m) { return set_material_key(m, path->key, value); })

@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "base/file.h"
 #include "render/job.h"
+#include "render/plan.h"
+#include "scene/load.h"
+#include "scene/material_file.h"
+#include "scene/save.h"
 #include "studio/commands.h"
 
 #include <spdlog/fmt/fmt.h>
@@ -59,7 +63,51 @@ base::Status Commands::save_picture(const fs::path& path) {
     return {};
 }
 
-base::Status Commands::save_material(const fs::path&) { return {}; }
-base::Status Commands::save_scene(const fs::path&) { return {}; }
+base::Status Commands::save_material(const fs::path& path) {
+    if (tools_.stage.materials().empty())
+        return base::fail(
+            {.code = base::ErrorCode::usage, .what = tools_.ui.t("studio.no_materials")});
+    const std::string text = scene::material_text(tools_.stage.materials()[material()]);
+    auto written =
+        base::write_file_atomically(path, std::as_bytes(std::span(text.data(), text.size())));
+    if (written)
+        tools_.editor.say(Message::Kind::note,
+                          fmt::format("{} {}", tools_.ui.t("studio.saved"), path.string()));
+    return written;
+}
+base::Status Commands::save_scene(const fs::path& path) {
+    Editor& editor = tools_.editor;
+    const render::Job& job = tools_.stage.job();
+    scene::Scene original;
+    original.materials = job.originals.materials;
+    original.lights = job.originals.lights;
+    scene::Scene edited;
+    edited.materials = tools_.stage.materials();
+    edited.lights = tools_.stage.lights();
+    edited.images = job.scene.images;
+    const tables::Settings& settings = editor.document.settings;
+    scene::LoadOptions options;
+    options.allowed_folders.assign(settings.allow_read.begin(), settings.allow_read.end());
+    const auto saved = scene::save({.source = editor.document.scene,
+                                    .original = original,
+                                    .edited = edited,
+                                    .target = path,
+                                    .options = options},
+                                   tools_.stage.plan().limits);
+    if (!saved) return tl::unexpected(saved.error());
+    for (const base::Warning& warning : saved->warnings)
+        editor.say(Message::Kind::warning, base::to_line(warning));
+    std::error_code error;
+    const auto source = scene::path_of(editor.document.scene);
+    if (source && fs::equivalent(*source, path, error)) saved_over_ = settings;
+    editor.unsaved = false;
+    kept_.reset();
+    recovery_.drop();
+    // Our own writing is no news.
+    scene_files_.set(job.reads);
+    editor.say(Message::Kind::note,
+               fmt::format("{} {}", tools_.ui.t("studio.saved"), path.string()));
+    return {};
+}
 
 }  // namespace facet::studio

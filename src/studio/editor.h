@@ -22,6 +22,7 @@ struct Wanted {
     std::optional<std::size_t> texture;  ///< slot that a file is to be chosen for
     bool frame_selected = false;
     bool copy_material = false;
+    bool thumbnails = false;  ///< pictures of the presets
     bool quit = false;
     std::optional<math::Vec2> pick_px;   ///< in the viewport's picture
     std::optional<math::Vec2> probe_px;  ///< likewise

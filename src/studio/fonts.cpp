@@ -17,10 +17,11 @@ constexpr std::array files = {"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
                               "/usr/share/fonts/truetype/noto/NotoSans-Regular.ttf",
                               "/usr/share/fonts/truetype/liberation/LiberationSans-Regular.ttf"};
 
-/// Pairs of first and last letter: Latin, Greek, Cyrillic, punctuation, arrows, mathematics.
-constexpr std::array<ImWchar, 15> ranges = {0x0020, 0x00FF, 0x0370, 0x03FF, 0x0400,
-                                            0x04FF, 0x2010, 0x2030, 0x2070, 0x209F,
-                                            0x2190, 0x21FF, 0x2200, 0x22FF, 0};
+/// Pairs of first and last letter: Latin, Greek, Cyrillic, punctuation, arrows, mathematics,
+/// shapes.
+constexpr std::array<ImWchar, 17> ranges = {0x0020, 0x00FF, 0x0370, 0x03FF, 0x0400, 0x04FF,
+                                            0x2010, 0x2030, 0x2070, 0x209F, 0x2190, 0x21FF,
+                                            0x2200, 0x22FF, 0x25A0, 0x25FF, 0};
 
 }  // namespace
 

@@ -9,6 +9,8 @@
 
 namespace facet::studio {
 
+class Thumbnails;
+
 /// What every panel gets.
 struct PanelTools {
     Ui& ui;
@@ -16,6 +18,7 @@ struct PanelTools {
     const Stage& stage;
     const gl::Context& gl;
     const Inspection& inspection;
+    const Thumbnails& thumbnails;
 };
 
 void draw_material_panel(PanelTools& tools);

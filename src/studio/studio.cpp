@@ -14,6 +14,7 @@
 #include "studio/layout.h"
 #include "studio/menu.h"
 #include "studio/screen.h"
+#include "studio/thumbnails.h"
 #include "studio/truth.h"
 
 #include <algorithm>
@@ -87,6 +88,7 @@ private:
     Editor editor_;
     std::optional<Commands> commands_;
     std::optional<Truth> truth_;
+    std::optional<Thumbnails> thumbnails_;
     Inspection inspection_;
     std::uint32_t inspected_count_ = 0;
     std::optional<math::Vec2> probed_px_;
@@ -126,6 +128,7 @@ base::Status Studio::open() {
     pictures_ = std::move(*pictures);
     ui_.emplace(Ui{*texts_, *pictures_});
     stage_.emplace(StageTools{screen_->gl(), pool_, log_});
+    thumbnails_.emplace(StageTools{screen_->gl(), pool_, log_});
     commands_.emplace(CommandTools{editor_, *stage_, config_, *ui_, request_.offscreen},
                       request_.offscreen ? std::filesystem::path() : state_folder());
     truth_.emplace([this] {
@@ -232,6 +235,8 @@ void Studio::do_wanted() {
         if (auto s = commands_->open_scene({*scene, request_.settings}); !s)
             editor_.complain(s.error());
     if (std::exchange(wanted.frame_selected, false)) frame_selected();
+    if (std::exchange(wanted.thumbnails, false))
+        if (auto s = thumbnails_->step(*pictures_); !s) editor_.complain(s.error());
     if (const auto at_px = std::exchange(wanted.pick_px, std::nullopt)) {
         const auto probed = stage_->probe(*at_px);
         if (!probed) return editor_.complain(probed.error());
@@ -242,7 +247,7 @@ void Studio::do_wanted() {
 }
 
 void Studio::draw_panels_and_dialogs() {
-    PanelTools tools{*ui_, editor_, *stage_, screen_->gl(), inspection_};
+    PanelTools tools{*ui_, editor_, *stage_, screen_->gl(), inspection_, *thumbnails_};
     const auto action = draw_menu(tools, config_.recent);
     area_px_ = draw_panels(tools, config_.layout);
     draw_status(tools);
@@ -325,9 +330,7 @@ base::Status Studio::act(const ScriptStep& step) {
     }
 }
 
-bool Studio::is_settled() const {
-    return stage_->is_finished() && !commands_->is_busy();
-}
+bool Studio::is_settled() const { return stage_->is_finished() && !commands_->is_busy(); }
 
 bool Studio::is_over() {
     const bool asked = input_.wants_close || std::exchange(editor_.wanted.quit, false);

@@ -164,7 +164,7 @@ Material convert_material(Import& import, std::size_t index) {
     const tinygltf::Material& from = import.model.materials[index];
     const Json& json = *element_at(import.asset.json, "materials", index);
     const std::string where = pointer_text("materials", index);
-    Material to;
+    Material to{.source = static_cast<std::uint32_t>(index)};
     to.name = from.name.empty() ? fmt::format("material {}", index) : from.name;
     convert_factors(import, from, where, to);
     convert_alpha(import, from, where, to);

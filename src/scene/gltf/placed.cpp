@@ -55,7 +55,7 @@ void place_light(Import& import, std::uint32_t node_index, const Mat4& world_fro
     const auto index = use != nullptr ? index_at(*use, "light") : std::nullopt;
     if (!index || *index >= import.model.lights.size()) return;
     const tinygltf::Light& from = import.model.lights[*index];
-    Light to;
+    Light to{.source_node = node_index};
     if (from.type == "directional")
         to.kind = tables::LightKind::directional;
     else if (from.type == "spot")

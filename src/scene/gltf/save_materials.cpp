@@ -1,0 +1,237 @@
+// Edits of materials, written into a document.
+// SPDX-License-Identifier: MIT
+#include "scene/gltf/save_materials.h"
+
+#include "base/text.h"
+#include "image/read.h"
+#include "image/write.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <map>
+
+namespace facet::scene::gltf {
+namespace {
+
+constexpr std::string_view glossiness = "KHR_materials_pbrSpecularGlossiness";
+
+/// One save. References outlive it.
+struct Saver {
+    Document& document;
+    const Scene& original;
+    const Scene& edited;
+    const PicturePlace& place;
+    const base::Limits& limits;
+    base::Warnings& warnings;
+    std::map<std::uint32_t, std::size_t> pictures{};  ///< by ImageId: index in the file
+};
+
+void warn(Saver& saver, std::size_t material, std::string_view pointer, std::string what) {
+    saver.warnings.push_back({.where = pointer_text("materials", material) + std::string(pointer),
+                              .what = std::move(what)});
+}
+
+/// The object or array element that holds the last part of `pointer`, made on the way; null where
+/// it would have to lie in a textureInfo that is not there.
+OrderedJson* parent_of(OrderedJson& material, const std::vector<std::string_view>& parts) {
+    OrderedJson* at = &material;
+    for (std::size_t i = 1; i + 1 < parts.size(); ++i) {
+        const std::string key(parts[i]);
+        if (key.ends_with("Texture") && !at->contains(key)) return nullptr;
+        OrderedJson& next = (*at)[key];
+        const bool in_array = i + 2 == parts.size() && base::parse_integer(parts[i + 1]);
+        if (in_array && !next.is_array()) next = OrderedJson::array({1.0, 1.0, 1.0, 1.0});
+        if (!in_array && !next.is_object()) next = OrderedJson::object();
+        at = &next;
+    }
+    return at;
+}
+
+/// A colour keeps what its array holds beyond three numbers: baseColorFactor has the opacity there.
+void put_color(OrderedJson& parent, const std::string& key, const math::Vec3& color) {
+    OrderedJson& array = parent[key];
+    const bool has_alpha = key == "baseColorFactor";
+    if (!array.is_array() || array.size() < 3)
+        array = has_alpha ? OrderedJson::array({1.0, 1.0, 1.0, 1.0})
+                          : OrderedJson::array({0.0, 0.0, 0.0});
+    for (int c = 0; c < 3; ++c) array[static_cast<std::size_t>(c)] = shortest(color[c]);
+}
+
+void save_param(Saver& saver, OrderedJson& json, std::size_t index,
+                const tables::MaterialParam& param, const tables::MaterialValues& values) {
+    const auto parts = base::split(param.gltf, '/');
+    OrderedJson* const parent = parent_of(json, parts);
+    if (parent == nullptr)
+        return warn(saver, index, param.gltf,
+                    fmt::format("{} is not saved: it has no texture", param.key));
+    const std::string last(parts.back());
+    if (const auto* number = std::get_if<float tables::MaterialValues::*>(&param.field)) {
+        const auto element = base::parse_integer(last);
+        OrderedJson& to = element ? (*parent)[static_cast<std::size_t>(*element)] : (*parent)[last];
+        to = shortest(values.**number);
+    } else {
+        put_color(*parent, last,
+                  values.*std::get<tables::Color tables::MaterialValues::*>(param.field));
+    }
+    if (parts[1] == "extensions") use_extension(saver.document.json, parts[2]);
+}
+
+bool same(const tables::MaterialParam& param, const tables::MaterialValues& a,
+          const tables::MaterialValues& b) {
+    return std::visit([&](auto field) { return a.*field == b.*field; }, param.field);
+}
+
+/// The bytes of a picture as glTF may hold it: the file's own where that is PNG or JPEG.
+base::Result<base::Bytes> encoded(const Saver& saver, const SceneImage& image) {
+    if (auto file = base::read_file(image.name, saver.limits.file_bytes)) {
+        const auto first = static_cast<unsigned char>(file->empty() ? std::byte{0} : file->front());
+        const auto header = image::read_header(*file, saver.limits);
+        if (header && (first == 0x89 || first == 0xFF)) return std::move(*file);
+    }
+    const bool deep = image.pixels->sample == image::Sample::u16;
+    return image::encode(*image.pixels,
+                         {.depth = deep ? image::Depth::u16 : image::Depth::u8, .metadata = {}});
+}
+
+/// The file's index of an image that `edited` has and the file has not yet.
+base::Result<std::size_t> save_picture(Saver& saver, ImageId id) {
+    if (const auto found = saver.pictures.find(id.index); found != saver.pictures.end())
+        return found->second;
+    const SceneImage& image = saver.edited.images[id.index];
+    auto bytes = encoded(saver, image);
+    if (!bytes) return tl::unexpected(bytes.error());
+    const bool is_png = !bytes->empty() && bytes->front() == std::byte{0x89};
+    OrderedJson entry = OrderedJson::object();
+    entry["name"] = std::filesystem::path(image.name).stem().string();
+    if (saver.place.into_bin) {
+        entry["bufferView"] = append_view(saver.document, *bytes);
+        entry["mimeType"] = is_png ? "image/png" : "image/jpeg";
+    } else {
+        const std::string name = fmt::format("{}-{}.{}", saver.place.stem,
+                                             saver.pictures.size() + 1, is_png ? "png" : "jpg");
+        entry["uri"] = name;
+        saver.document.new_files.push_back({name, std::move(*bytes)});
+    }
+    OrderedJson& images = array_at(saver.document.json, "images");
+    images.push_back(std::move(entry));
+    saver.pictures[id.index] = images.size() - 1;
+    return images.size() - 1;
+}
+
+/// The textureInfo at `pointer`; its parent is made.
+OrderedJson& texture_info(OrderedJson& material, std::string_view pointer) {
+    const auto parts = base::split(pointer, '/');
+    OrderedJson* at = &material;
+    for (std::size_t i = 1; i < parts.size(); ++i) {
+        OrderedJson& next = (*at)[std::string(parts[i])];
+        if (!next.is_object()) next = OrderedJson::object();
+        at = &next;
+    }
+    return *at;
+}
+
+void drop_texture(OrderedJson& material, std::string_view pointer) {
+    const auto parts = base::split(pointer, '/');
+    OrderedJson* at = &material;
+    for (std::size_t i = 1; i + 1 < parts.size(); ++i) {
+        if (!at->contains(std::string(parts[i]))) return;
+        at = &(*at)[std::string(parts[i])];
+    }
+    at->erase(std::string(parts.back()));
+}
+
+base::Status save_texture(Saver& saver, OrderedJson& json, std::size_t slot,
+                          const std::optional<Texture>& before,
+                          const std::optional<Texture>& after) {
+    const tables::MaterialTexture& row = tables::material_textures[slot];
+    if (!after) {
+        if (before) drop_texture(json, row.gltf);
+        return {};
+    }
+    if (before && before->image == after->image) return {};
+    const auto picture = save_picture(saver, after->image);
+    if (!picture) return tl::unexpected(picture.error());
+    OrderedJson& info = texture_info(json, row.gltf);
+    OrderedJson& textures = array_at(saver.document.json, "textures");
+    OrderedJson texture = OrderedJson::object();
+    const std::size_t old = info.value("index", textures.size());
+    if (old < textures.size() && textures[old].contains("sampler"))
+        texture["sampler"] = textures[old]["sampler"];
+    texture["source"] = *picture;
+    textures.push_back(std::move(texture));
+    info["index"] = textures.size() - 1;
+    return {};
+}
+
+base::Status save_material(Saver& saver, std::size_t index, const Material& before,
+                           const Material& after) {
+    OrderedJson& json = saver.document.json["materials"][index];
+    if (json.contains("extensions") && json["extensions"].contains(glossiness)) {
+        json["extensions"].erase(std::string(glossiness));
+        warn(saver, index, "", "specular-glossiness became metallic-roughness, which is not exact");
+        // Its values were in the extension: all are new to the core's.
+        for (const tables::MaterialParam& param : tables::material_params)
+            if (param.gltf.starts_with("/pbrMetallicRoughness"))
+                save_param(saver, json, index, param, after.values);
+    }
+    for (std::size_t slot = 0; slot < after.textures.size(); ++slot)
+        if (auto s = save_texture(saver, json, slot, before.textures[slot], after.textures[slot]);
+            !s)
+            return s;
+    for (const tables::MaterialParam& param : tables::material_params)
+        if (!same(param, before.values, after.values))
+            save_param(saver, json, index, param, after.values);
+    constexpr std::array modes = {"OPAQUE", "MASK", "BLEND"};
+    if (before.alpha_mode != after.alpha_mode)
+        json["alphaMode"] = modes[static_cast<std::size_t>(after.alpha_mode)];
+    if (before.double_sided != after.double_sided) json["doubleSided"] = after.double_sided;
+    return {};
+}
+
+bool differs(const Material& a, const Material& b) {
+    for (const tables::MaterialParam& param : tables::material_params)
+        if (!same(param, a.values, b.values)) return true;
+    for (std::size_t slot = 0; slot < a.textures.size(); ++slot) {
+        if (a.textures[slot].has_value() != b.textures[slot].has_value()) return true;
+        if (a.textures[slot] && !(a.textures[slot]->image == b.textures[slot]->image)) return true;
+    }
+    return a.alpha_mode != b.alpha_mode || a.double_sided != b.double_sided;
+}
+
+/// Primitives without a material get the edited default one.
+void save_default(Saver& saver, const Material& material) {
+    OrderedJson& materials = array_at(saver.document.json, "materials");
+    const std::size_t index = materials.size();
+    materials.push_back({{"name", material.name}});
+    for (const tables::MaterialParam& param : tables::material_params)
+        if (!same(param, {}, material.values))
+            save_param(saver, materials[index], index, param, material.values);
+    for (OrderedJson& mesh : saver.document.json["meshes"])
+        for (OrderedJson& primitive : mesh["primitives"])
+            if (!primitive.contains("material")) primitive["material"] = index;
+}
+
+}  // namespace
+
+base::Status save_materials(Document& document, const Scene& original, const Scene& edited,
+                            const PicturePlace& place, const base::Limits& limits,
+                            base::Warnings& warnings) {
+    Saver saver{document, original, edited, place, limits, warnings};
+    std::map<std::uint32_t, bool> saved;
+    for (std::size_t i = 0; i < edited.materials.size() && i < original.materials.size(); ++i) {
+        const Material& before = original.materials[i];
+        const Material& after = edited.materials[i];
+        if (!differs(before, after)) continue;
+        if (!after.source) {
+            save_default(saver, after);
+            continue;
+        }
+        // Copies of one material, made for meshes that lack coordinates, are one in the file.
+        if (saved[*after.source]) continue;
+        saved[*after.source] = true;
+        if (auto s = save_material(saver, *after.source, before, after); !s) return s;
+    }
+    return {};
+}
+
+}  // namespace facet::scene::gltf
