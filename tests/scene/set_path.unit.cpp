@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "scene/set_path.h"
 
+#include "image/write.h"
 #include "math/color.h"
 #include "scene/light_spec.h"
+#include "support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -69,13 +71,54 @@ TEST(SetPath, ColoursAreSrgbWithAHashAndLinearAsThreeNumbers) {
     EXPECT_EQ(changed.materials[0].values.base_color, Vec3(0.1F, 0.2F, 0.3F));
 }
 
-TEST(SetPath, NoneDropsATextureAndNothingElseReplacesIt) {
+TEST(SetPath, NoneDropsATexture) {
     Scene changed = scene();
     ASSERT_TRUE(apply_set(changed, "material.Helmet.base_color_texture=none"));
     EXPECT_FALSE(changed.materials[0].textures[0]);
     EXPECT_TRUE(changed.materials[1].textures[0]);
-    EXPECT_NE(refusal("material.Helmet.base_color_texture=wood.png").find("none"),
-              std::string::npos);
+}
+
+/// The scene with a quad of two triangles for its second material.
+Scene with_mesh() {
+    Scene out = scene();
+    Mesh mesh;
+    mesh.material = MaterialId{1};
+    mesh.positions_m = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    mesh.normals.assign(3, Vec3(0, 0, 1));
+    mesh.uv0 = {{0, 1}, {1, 1}, {0, 0}};
+    mesh.indices = {0, 1, 2};
+    out.meshes.push_back(mesh);
+    return out;
+}
+
+TEST(SetPath, APictureFileBecomesATextureAndIsReadOnce) {
+    const support::TemporaryFolder folder;
+    const auto png = image::encode(image::Image({2, 2}, 3, image::Sample::u8), {.metadata = {}});
+    const std::string file =
+        folder.write("wood.png", {reinterpret_cast<const char*>(png->data()), png->size()})
+            .string();
+    Scene changed = with_mesh();
+    changed.materials[1].textures[0]->wrap_u = Wrap::clamp;
+    ASSERT_TRUE(apply_set(changed, "material.Body.001.base_color_texture=" + file));
+    ASSERT_TRUE(apply_set(changed, "material.Body.001.normal_texture=" + file));
+    ASSERT_EQ(changed.images.size(), 1U);
+    EXPECT_EQ(changed.images[0].name, file);
+    EXPECT_EQ(changed.materials[1].textures[0]->wrap_u, Wrap::clamp) << "looked up as before";
+    EXPECT_EQ(changed.meshes[0].tangents.size(), changed.meshes[0].positions_m.size());
+}
+
+TEST(SetPath, APictureThatCannotBeUsedLeavesTheSceneAsItWas) {
+    const support::TemporaryFolder folder;
+    folder.write("text.png", "no picture");
+    for (const std::string value : {"/no/such.png", (folder / "text.png").c_str(), "/tmp"}) {
+        Scene changed = with_mesh();
+        EXPECT_FALSE(apply_set(changed, "material.Body.001.base_color_texture=" + value)) << value;
+        EXPECT_TRUE(changed.images.empty());
+        EXPECT_EQ(changed.materials[1].textures[0]->image, ImageId{});
+    }
+    EXPECT_NE(refusal("material.Helmet.base_color_texture=a.png").find("coordinates"),
+              std::string::npos)
+        << "no mesh has this material";
 }
 
 TEST(SetPath, LightsTakeTheKeysOfTheirKind) {

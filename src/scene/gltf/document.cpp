@@ -73,7 +73,6 @@ std::string_view mime_of(std::span<const std::byte> bytes) {
     if (starts("\x89PNG")) return "image/png";
     if (starts("\xFF\xD8\xFF")) return "image/jpeg";
     if (starts("RIFF")) return "image/webp";
-    if (starts("\xABKTX 20\xBB")) return "image/ktx2";
     return {};
 }
 
@@ -202,9 +201,15 @@ base::Status pack(Asset& asset, Document& document) {
         if (!image.contains("uri") || !image["uri"].is_string()) continue;
         const auto bytes = read_uri(asset, image["uri"].get<std::string>(), asset.memory_left);
         if (!bytes) continue;  // missing before, missing after
+        const std::string_view mime = mime_of(*bytes);
+        if (mime.empty())
+            return base::fail({.code = base::ErrorCode::feature_missing,
+                               .where = image["uri"].get<std::string>(),
+                               .what = "is no PNG, JPEG or WebP, and cannot be packed",
+                               .remedy = "save it as .gltf"});
         image.erase("uri");
         image["bufferView"] = append_view(document, *bytes);
-        if (const std::string_view mime = mime_of(*bytes); !mime.empty()) image["mimeType"] = mime;
+        image["mimeType"] = mime;
     }
     return {};
 }

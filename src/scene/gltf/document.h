@@ -50,7 +50,8 @@ void use_extension(OrderedJson& json, std::string_view extension);
 /// The text of a .gltf.
 [[nodiscard]] base::Bytes gltf_bytes(const Document& document);
 
-/// Moves every buffer and image into the BIN. Errors: feature_missing (a buffer without bytes).
+/// Moves every buffer and image into the BIN. Errors: feature_missing (a buffer without bytes, a
+/// picture of a kind that a GLB does not hold).
 [[nodiscard]] base::Status pack(Asset& asset, Document& document);
 /// Moves the BIN into a file beside, called `name`.
 void unpack(Document& document, const std::string& name);

@@ -1,0 +1,127 @@
+// The document: edits as settings, undo and redo, and the command that says the same.
+// SPDX-License-Identifier: MIT
+#include "studio/document.h"
+
+#include "base/text.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace facet::studio {
+namespace {
+
+TEST(Document, ALaterValueOfAPathTakesTheEarlierOnesPlace) {
+    tables::Settings settings;
+    set_path(settings, "material[0].roughness", "0.5");
+    set_path(settings, "material[0].metallic", "1");
+    set_path(settings, "material[0].roughness", "0.2");
+    EXPECT_EQ(settings.set,
+              (std::vector<std::string>{"material[0].metallic=1", "material[0].roughness=0.2"}));
+    EXPECT_TRUE(has_path(settings, "material[0]."));
+    EXPECT_FALSE(has_path(settings, "material[1]."));
+    clear_path(settings, "material[0].");
+    EXPECT_TRUE(settings.set.empty());
+}
+
+TEST(Document, EveryFloatIsSaidInDecimalsThatReadBackToIt) {
+    std::mt19937 random(3);
+    for (int i = 0; i < 100'000; ++i) {
+        const float value =
+            std::ldexp(static_cast<float>(random()), static_cast<int>(random() % 60) - 60);
+        const auto read = base::parse_number(number_text(value));
+        ASSERT_TRUE(read);
+        ASSERT_EQ(static_cast<float>(*read), value) << number_text(value);
+    }
+}
+
+TEST(Document, TheCommandQuotesForAShellAndLeavesOutWhatIsInitial) {
+    Document document{"my model.glb", {}};
+    EXPECT_EQ(render_command(document, "out.png"), "facet render 'my model.glb' -o out.png");
+    document.settings.env_rotation = 30.0F;
+    document.settings.no_file_lights = true;
+    document.settings.size = {64, 32};
+    document.settings.aov = {"normal", "depth"};
+    set_path(document.settings, "material.It's.base_color", "1 0 0");
+    EXPECT_EQ(render_command(document, "o.png"),
+              "facet render 'my model.glb' -o o.png --size 64x32 --aov normal,depth "
+              "--env-rotation 30 --no-file-lights --set 'material.It'\\''s.base_color=1 0 0'");
+}
+
+TEST(Document, EverySettingThatIsSaidIsTakenBack) {
+    tables::Settings settings;
+    settings.size = {640, 480};
+    settings.ev = 3.5F;
+    settings.samples = 4;
+    settings.strict = true;
+    settings.env = "sky:turbidity=3";
+    settings.light = {"point:candela=2", "spot:candela=3"};
+    tables::Settings again;
+    for (const tables::Setting& row : tables::settings)
+        if (const auto texts = setting_texts(settings, row); !texts.empty()) {
+            ASSERT_TRUE(assign_setting(again, row.key, texts)) << row.key;
+        }
+    EXPECT_TRUE(again == settings);
+}
+
+TEST(History, TwoHundredStepsGoBackAndForthToTheSameSettings) {
+    tables::Settings settings;
+    History history;
+    std::vector<tables::Settings> states{settings};
+    for (int i = 0; i < 200; ++i) {
+        const tables::Settings before = settings;
+        set_path(settings, material_path(static_cast<std::size_t>(i % 7), "roughness"),
+                 number_text(static_cast<float>(i) / 200.0F));
+        history.record("edit", before);
+        history.seal();
+        states.push_back(settings);
+    }
+    EXPECT_EQ(history.undo_count(), 200U);
+    for (std::size_t i = 200; i-- > 0;) {
+        history.undo(settings);
+        ASSERT_TRUE(settings == states[i]);
+    }
+    EXPECT_FALSE(history.can_undo());
+    for (std::size_t i = 1; i <= 200; ++i) {
+        history.redo(settings);
+        ASSERT_TRUE(settings == states[i]);
+    }
+    EXPECT_FALSE(history.can_redo());
+}
+
+TEST(History, ADragIsOneStepAndTheViewIsNone) {
+    tables::Settings settings;
+    History history;
+    for (int i = 0; i < 30; ++i) {
+        const tables::Settings before = settings;
+        settings.env_rotation = static_cast<float>(i);
+        history.record("env_rotation", before);
+    }
+    history.seal();
+    EXPECT_EQ(history.undo_count(), 1U);
+    settings.camera = "orbit:azimuth=10";
+    history.undo(settings);
+    EXPECT_EQ(settings.env_rotation, 0.0F);
+    EXPECT_EQ(settings.camera, "orbit:azimuth=10") << "where one looks from is not undone";
+}
+
+TEST(History, AnEditForgetsWhatWasUndone) {
+    tables::Settings settings;
+    History history;
+    const auto edit = [&](float value) {
+        const tables::Settings before = settings;
+        settings.env_intensity = value;
+        history.record("env_intensity", before);
+        history.seal();
+    };
+    edit(2.0F);
+    history.undo(settings);
+    edit(3.0F);
+    EXPECT_FALSE(history.can_redo());
+    history.undo(settings);
+    EXPECT_EQ(settings.env_intensity, 1.0F);
+}
+
+}  // namespace
+}  // namespace facet::studio
