@@ -87,6 +87,7 @@ void Frame::set_view(const gl::Context& gl, const FrameInputs& in,
     view.light_counts = {in.lights.directional_count, in.lights.count, across, 0U};
     const EnvironmentMaps& e = in.environment;
     view.environment = {e.last_level, 0.0F, 0.0F, 0.0F};
+    view.key_light = in.key_light.place;
     view.background.x = in.background.blur * e.last_level;
     for (std::size_t i = 0; i < e.irradiance_sh.size(); ++i)
         view.irradiance_sh[i] = math::Vec4(e.irradiance_sh[i], 0.0F);
@@ -152,9 +153,8 @@ base::Status Frame::draw(const gl::Context& gl, const FrameInputs& in, std::uint
     std::reverse(order.begin(), order.end());
     if (auto s = draw_light(gl, in, view, order); !s) return s;
     clock.add_to(&passes.lighting);
-    if (auto s = aov_pass_.run(gl, gbuffer_, tables::Average::mean, empty_, size(), aov_targets_);
-        !s)
-        return s;
+    const AovInputs aov_inputs{gbuffer_, in.environment, empty_};
+    if (auto s = aov_pass_.run(gl, aov_inputs, tables::Average::mean, aov_targets_); !s) return s;
     if (count > 1) {
         if (!accumulator_) {
             auto made = Accumulator::create(gl, size());
@@ -179,9 +179,8 @@ base::Status Frame::draw_centered_aovs(const gl::Context& gl, const FrameInputs&
     if (auto s = gbuffer_pass_.run(gl, in.scene, near_to_far(in.scene, view), gbuffer_); !s)
         return s;
     gl.texture_barrier();
-    if (auto s =
-            aov_pass_.run(gl, gbuffer_, tables::Average::nearest, empty_, size(), aov_targets_);
-        !s)
+    const AovInputs aov_inputs{gbuffer_, in.environment, empty_};
+    if (auto s = aov_pass_.run(gl, aov_inputs, tables::Average::nearest, aov_targets_); !s)
         return s;
     return gl.check("aovs");
 }

@@ -12,6 +12,7 @@
 #include "frame/upload/gpu_scene.h"
 #include "frame/view.h"
 #include "image/read.h"
+#include "scene/key_light.h"
 
 #include <optional>
 #include <vector>
@@ -33,6 +34,7 @@ struct FrameInputs {
     const PackedLights& lights;
     const scene::Camera& camera;
     const Background& background;
+    scene::KeyLight key_light{};  ///< for AOVs that are terms of the BRDF
 };
 
 /// Milliseconds a pass took, each waited for; asked for by benchmarks only.

@@ -31,9 +31,11 @@ base::Result<Job> load_job(const Request& request, const Plan& plan, base::Threa
     auto loaded = load_scene(request, plan, pool);
     if (!loaded) return tl::unexpected(loaded.error());
     Job job{.scene = std::move(loaded->scene),
+            .env_rotation_deg = settings.env_rotation,
             .warnings = std::move(loaded->warnings),
             .reads = std::move(loaded->reads)};
     if (settings.no_file_lights) job.scene.lights.clear();
+    if (!settings.light.empty()) job.named_light = job.scene.lights.size();
     for (const std::string& text : settings.light) {
         auto light = scene::parse_light(text);
         if (!light) return tl::unexpected(base::in_file(light.error(), "--light"));
@@ -57,6 +59,14 @@ base::Result<Job> load_job(const Request& request, const Plan& plan, base::Threa
     if (!camera) return tl::unexpected(base::in_file(camera.error(), "--camera"));
     job.camera = std::move(*camera);
     return job;
+}
+
+scene::KeyLight key_light(const Job& job, std::span<const tables::Aov> aovs) {
+    if (!tables::any_of_kind(aovs, tables::AovKind::key_light)) return {};
+    return scene::key_light({.scene = job.scene,
+                             .environment = job.environment,
+                             .env_rotation_deg = job.env_rotation_deg,
+                             .named = job.named_light});
 }
 
 }  // namespace facet::render

@@ -62,6 +62,7 @@ base::Status Session::upload(const tables::Settings& settings, base::Warnings& w
                                        .aovs = plan_->aovs});
     if (!frame) return tl::unexpected(frame.error());
     frame_ = std::move(*frame);
+    key_light_ = key_light(job_, plan_->aovs);
     return {};
 }
 
@@ -114,7 +115,9 @@ void Session::lay_over_background(image::Image& radiance, double exposure) const
 }
 
 void Session::set_lights(std::span<const scene::Light> lights) {
-    lights_ = std::make_unique<frame::PackedLights>(frame::pack_lights(lights));
+    job_.scene.lights = std::vector<scene::Light>(lights.begin(), lights.end());
+    lights_ = std::make_unique<frame::PackedLights>(frame::pack_lights(job_.scene.lights));
+    key_light_ = key_light(job_, plan_->aovs);
 }
 
 image::Layer Session::read_beauty(double exposure, std::uint32_t count) const {

@@ -60,9 +60,10 @@ private:
     frame::EnvironmentMaps environment_;
     std::unique_ptr<frame::PackedLights> lights_;
     std::optional<frame::Frame> frame_;
+    scene::KeyLight key_light_;
 
     [[nodiscard]] frame::FrameInputs inputs() const {
-        return {scene_, environment_, *lights_, job_.camera, plan_->background};
+        return {scene_, environment_, *lights_, job_.camera, plan_->background, key_light_};
     }
 };
 

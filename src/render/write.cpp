@@ -97,6 +97,7 @@ image::Image viewable(const image::Layer& layer) {
             if (row.png == tables::PngCode::signed_unit) shown = v * 0.5F + 0.5F;
             if (row.png == tables::PngCode::range)
                 shown = std::isfinite(v) ? (v - low) / (high - low) : 1.0F;
+            if (row.png == tables::PngCode::compressed) shown = v / (1.0F + v);
             color[static_cast<int>(c)] = shown;
         }
         if (row.png == tables::PngCode::id_color) color = id_color(values[i * channels]);

@@ -24,6 +24,7 @@ struct Shot {
     gl::Backend backend = gl::Backend::automatic;
     unsigned threads = 0;
     std::vector<tables::Aov> aovs;
+    scene::KeyLight key_light{};
 };
 
 struct Picture {
@@ -67,7 +68,8 @@ public:
                                            .aovs = shot.aovs});
         if (!frame) return tl::unexpected(frame.error());
         const frame::PackedLights lights = frame::pack_lights(shot.scene.lights);
-        const frame::FrameInputs in{*scene, *environment, lights, shot.camera, shot.background};
+        const frame::FrameInputs in{*scene,      *environment,    lights,
+                                    shot.camera, shot.background, shot.key_light};
         for (std::uint32_t i = 0; i < shot.samples; ++i)
             if (auto drawn = frame->draw(*gl_, in, i, shot.samples); !drawn)
                 return tl::unexpected(drawn.error());

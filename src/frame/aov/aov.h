@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "frame/environment/environment_maps.h"
 #include "frame/gbuffer/gbuffer.h"
 #include "image/image.h"
 #include "tables/aovs.h"
@@ -17,6 +18,13 @@ struct AovTarget {
     gl::Framebuffer framebuffer;  ///< shares the G-buffer's depth
 };
 
+/// What an AOV is evaluated over. Everything outlives the call.
+struct AovInputs {
+    const GBuffer& gbuffer;
+    const EnvironmentMaps& environment;  ///< for its table of albedos
+    const gl::VertexArray& empty;
+};
+
 class AovPass {
 public:
     explicit AovPass(const gl::ShaderSources& sources) : sources_(&sources) {}
@@ -24,9 +32,8 @@ public:
     [[nodiscard]] base::Result<std::vector<AovTarget>> make_targets(
         const gl::Context& gl, const std::vector<tables::Aov>& aovs, const GBuffer& gbuffer) const;
     /// Adds this frame's values to the targets whose average is `average`.
-    [[nodiscard]] base::Status run(const gl::Context& gl, const GBuffer& gbuffer,
-                                   tables::Average average, const gl::VertexArray& empty,
-                                   math::Extent size, const std::vector<AovTarget>& targets);
+    [[nodiscard]] base::Status run(const gl::Context& gl, const AovInputs& in,
+                                   tables::Average average, const std::vector<AovTarget>& targets);
 
 private:
     [[nodiscard]] base::Result<gl::Program> make(const gl::Context& gl, tables::Aov aov) const;
