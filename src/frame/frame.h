@@ -51,7 +51,12 @@ public:
                                                     const gl::ShaderSources& sources,
                                                     const FrameSpec& spec);
 
-    /// Draws sample `index` of `count` and adds it, unless it is the only one.
+    /// Changes which further outputs there are, from the next frame on, which is sample 0. Programs
+    /// are kept, and targets that stay. Errors: internal.
+    [[nodiscard]] base::Status set_aovs(const gl::Context& gl, std::vector<tables::Aov> aovs);
+
+    /// Draws sample `index` of `count` and adds it, unless it is the only one. Sample 0 begins all
+    /// sums anew.
     [[nodiscard]] base::Status draw(const gl::Context& gl, const FrameInputs& in,
                                     std::uint32_t index, std::uint32_t count,
                                     PassTimes* times = nullptr);
@@ -73,6 +78,13 @@ public:
     }
     [[nodiscard]] std::vector<image::Layer> read_aovs(const gl::Context& gl,
                                                       std::uint32_t count) const;
+    /// One of them; none where it was not asked for.
+    [[nodiscard]] std::optional<image::Layer> read_aov(const gl::Context& gl, tables::Aov aov,
+                                                       std::uint32_t count) const;
+    /// Its sum over the frames drawn, of draw_centered_aovs() alone where it is not averaged: RGBA
+    /// f32, rows from the bottom; a: how many of them had a surface. Null where not asked for; dies
+    /// with the next set_aovs().
+    [[nodiscard]] const gl::Texture* aov_texture(tables::Aov aov) const;
     [[nodiscard]] math::Extent size() const { return spec_.region.size; }
 
 private:
@@ -85,6 +97,9 @@ private:
           aov_pass_(sources),
           display_pass_(sources) {}
 
+    /// The G-buffer, and what shares its depth: as the AOVs need them.
+    [[nodiscard]] base::Status make_targets(const gl::Context& gl);
+    [[nodiscard]] const AovTarget* aov_target(tables::Aov aov) const;
     void set_view(const gl::Context& gl, const FrameInputs& in, const shared::View& camera_view);
     [[nodiscard]] ShadeKey upload_lights(const gl::Context& gl, const FrameInputs& in);
     /// `opaque`: for the surfaces of the G-buffer, whose depth leaves out lights.

@@ -62,7 +62,8 @@ base::Status Session::upload(const tables::Settings& settings, base::Warnings& w
                                        .aovs = plan_->aovs});
     if (!frame) return tl::unexpected(frame.error());
     frame_ = std::move(*frame);
-    key_light_ = key_light(job_, plan_->aovs);
+    aovs_ = plan_->aovs;
+    key_light_ = key_light(job_, aovs_);
     return {};
 }
 
@@ -117,7 +118,13 @@ void Session::lay_over_background(image::Image& radiance, double exposure) const
 void Session::set_lights(std::span<const scene::Light> lights) {
     job_.scene.lights = std::vector<scene::Light>(lights.begin(), lights.end());
     lights_ = std::make_unique<frame::PackedLights>(frame::pack_lights(job_.scene.lights));
-    key_light_ = key_light(job_, plan_->aovs);
+    key_light_ = key_light(job_, aovs_);
+}
+
+base::Status Session::set_aovs(std::vector<tables::Aov> aovs) {
+    aovs_ = aovs;
+    key_light_ = key_light(job_, aovs_);
+    return frame_->set_aovs(*gl_, std::move(aovs));
 }
 
 image::Layer Session::read_beauty(double exposure, std::uint32_t count) const {

@@ -41,6 +41,18 @@ public:
     /// Beauty as radiance in nit, over the background colour where one is named.
     [[nodiscard]] image::Layer read_beauty(double exposure, std::uint32_t count) const;
     [[nodiscard]] std::vector<image::Layer> read_aovs(std::uint32_t count) const;
+
+    /// Changes which further outputs there are, from the next frame on, which is sample 0. Nothing
+    /// that is compiled is compiled again. draw() gives those that are averaged,
+    /// draw_centered_aovs() the others.
+    [[nodiscard]] base::Status set_aovs(std::vector<tables::Aov> aovs);
+    /// One of them as frame.h has it, or read back; none where it was not asked for.
+    [[nodiscard]] const gl::Texture* aov_texture(tables::Aov aov) const {
+        return frame_->aov_texture(aov);
+    }
+    [[nodiscard]] std::optional<image::Layer> read_aov(tables::Aov aov, std::uint32_t count) const {
+        return frame_->read_aov(*gl_, aov, count);
+    }
     /// Returns when every pixel drawn so far is complete.
     void finish() const { gl_->finish(); }
 
@@ -60,6 +72,7 @@ private:
     frame::EnvironmentMaps environment_;
     std::unique_ptr<frame::PackedLights> lights_;
     std::optional<frame::Frame> frame_;
+    std::vector<tables::Aov> aovs_;
     scene::KeyLight key_light_;
 
     [[nodiscard]] frame::FrameInputs inputs() const {

@@ -21,6 +21,12 @@ enum Unit : GLuint {
     table_unit
 };
 
+void clear(const gl::Context& gl, const AovTarget& target) {
+    const std::array<float, 4> zero{};
+    gl.api().BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.name());
+    gl.api().ClearBufferfv(GL_COLOR, 0, zero.data());
+}
+
 }  // namespace
 
 base::Result<gl::Program> AovPass::make(const gl::Context& gl, tables::Aov aov) const {
@@ -42,26 +48,24 @@ base::Result<gl::Program> AovPass::make(const gl::Context& gl, tables::Aov aov) 
     return program;
 }
 
-base::Result<std::vector<AovTarget>> AovPass::make_targets(const gl::Context& gl,
-                                                           const std::vector<tables::Aov>& aovs,
-                                                           const GBuffer& gbuffer) const {
-    std::vector<AovTarget> targets;
-    for (const tables::Aov aov : aovs) {
-        AovTarget target;
-        target.aov = aov;
-        auto sum = gl::make_texture(gl, {.format = GL_RGBA32F, .size = gbuffer.spec.size});
-        if (!sum) return tl::unexpected(sum.error());
-        target.sum = std::move(*sum);
-        const std::array<const gl::Texture*, 1> colors = {&target.sum};
-        auto framebuffer = gl::make_framebuffer(gl, colors, &gbuffer.depth);
-        if (!framebuffer) return tl::unexpected(framebuffer.error());
-        target.framebuffer = std::move(*framebuffer);
-        const std::array<float, 4> zero{};
-        gl.api().BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.name());
-        gl.api().ClearBufferfv(GL_COLOR, 0, zero.data());
-        targets.push_back(std::move(target));
-    }
-    return targets;
+base::Result<AovTarget> AovPass::make_target(const gl::Context& gl, tables::Aov aov,
+                                             const GBuffer& gbuffer) {
+    AovTarget target;
+    target.aov = aov;
+    auto sum = gl::make_texture(gl, {.format = GL_RGBA32F, .size = gbuffer.spec.size});
+    if (!sum) return tl::unexpected(sum.error());
+    target.sum = std::move(*sum);
+    const std::array<const gl::Texture*, 1> colors = {&target.sum};
+    auto framebuffer = gl::make_framebuffer(gl, colors, &gbuffer.depth);
+    if (!framebuffer) return tl::unexpected(framebuffer.error());
+    target.framebuffer = std::move(*framebuffer);
+    clear(gl, target);
+    return target;
+}
+
+void clear(const gl::Context& gl, tables::Average average, const std::vector<AovTarget>& targets) {
+    for (const AovTarget& target : targets)
+        if (tables::row(target.aov).average == average) clear(gl, target);
 }
 
 base::Status AovPass::run(const gl::Context& gl, const AovInputs& in, tables::Average average,

@@ -28,9 +28,9 @@ struct AovInputs {
 class AovPass {
 public:
     explicit AovPass(const gl::ShaderSources& sources) : sources_(&sources) {}
-    /// Makes cleared targets; `gbuffer` outlives them.
-    [[nodiscard]] base::Result<std::vector<AovTarget>> make_targets(
-        const gl::Context& gl, const std::vector<tables::Aov>& aovs, const GBuffer& gbuffer) const;
+    /// Makes a cleared target; `gbuffer` outlives it.
+    [[nodiscard]] static base::Result<AovTarget> make_target(const gl::Context& gl, tables::Aov aov,
+                                                             const GBuffer& gbuffer);
     /// Adds this frame's values to the targets whose average is `average`.
     [[nodiscard]] base::Status run(const gl::Context& gl, const AovInputs& in,
                                    tables::Average average, const std::vector<AovTarget>& targets);
@@ -41,6 +41,9 @@ private:
     const gl::ShaderSources* sources_;
     Permutations<tables::Aov> programs_;
 };
+
+/// Begins the sums anew, of the targets whose average is `average`.
+void clear(const gl::Context& gl, tables::Average average, const std::vector<AovTarget>& targets);
 
 /// The AOV as f32 [height, width, channels of its row], rows from the top. Depth is +inf where no
 /// surface is.
