@@ -71,9 +71,12 @@ std::string aovs() {
         "Example: facet render a.glb -o a.exr --aov albedo,normal,depth\n\n"
         "--aov LIST or --aov all: further outputs. Into an EXR as layers NAME.CHANNEL, beside "
         "other formats as\n"
-        "STEM.NAME.png. Ids and depth are never averaged.\n\n";
+        "STEM.NAME.png. Ids and depth are never averaged.\n\n"
+        "The key light is the first --light; else the light that lights the middle of the scene "
+        "most; else the\n"
+        "side that the environment's light comes from (its mean direction).\n\n";
     for (const auto& row : tables::aovs)
-        out += fmt::format("  {:<14} {:<5} {}\n", row.key, row.channels, row.help);
+        out += fmt::format("  {:<17} {:<5} {}\n", row.key, row.channels, row.help);
     return out;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <numeric>
+#include <utility>
 
 namespace facet::frame {
 namespace {
@@ -71,19 +72,41 @@ base::Result<Frame> Frame::create(const gl::Context& gl, const gl::ShaderSources
 base::Status Frame::resize(const gl::Context& gl, const FrameSpec& spec) {
     spec_ = spec;
     accumulator_.reset();
-    const math::Extent size = spec.region.size;
-    auto gbuffer = GBuffer::create(gl, {.size = size,
-                                        .emissive = spec.emissive || wants_emissive(spec.aovs),
-                                        .ids = wants_ids(spec.aovs)});
+    return set_aovs(gl, spec.aovs);
+}
+
+base::Status Frame::make_targets(const gl::Context& gl) {
+    const GBufferSpec wanted{.size = size(),
+                             .emissive = spec_.emissive || wants_emissive(spec_.aovs),
+                             .ids = wants_ids(spec_.aovs)};
+    if (wanted == gbuffer_.spec) return {};
+    aov_targets_.clear();  // they share the old one's depth
+    auto gbuffer = GBuffer::create(gl, wanted);
     if (!gbuffer) return tl::unexpected(gbuffer.error());
     gbuffer_ = std::move(*gbuffer);
-    auto radiance = RadianceTarget::create(gl, size, gbuffer_.depth);
+    auto radiance = RadianceTarget::create(gl, size(), gbuffer_.depth);
     if (!radiance) return tl::unexpected(radiance.error());
     radiance_ = std::move(*radiance);
-    auto aovs = aov_pass_.make_targets(gl, spec.aovs, gbuffer_);
-    if (!aovs) return tl::unexpected(aovs.error());
-    aov_targets_ = std::move(*aovs);
-    return gl.check("frame targets");
+    return {};
+}
+
+base::Status Frame::set_aovs(const gl::Context& gl, std::vector<tables::Aov> aovs) {
+    spec_.aovs = std::move(aovs);
+    if (auto made = make_targets(gl); !made) return made;
+    std::vector<AovTarget> old = std::exchange(aov_targets_, {});
+    for (const tables::Aov aov : spec_.aovs) {
+        const auto kept = std::find_if(old.begin(), old.end(),
+                                       [&](const AovTarget& target) { return target.aov == aov; });
+        if (kept != old.end()) {
+            aov_targets_.push_back(std::move(*kept));
+            old.erase(kept);
+            continue;
+        }
+        auto made = AovPass::make_target(gl, aov, gbuffer_);
+        if (!made) return tl::unexpected(made.error());
+        aov_targets_.push_back(std::move(*made));
+    }
+    return gl.check("aov targets");
 }
 
 void Frame::set_view(const gl::Context& gl, const FrameInputs& in,
@@ -93,6 +116,7 @@ void Frame::set_view(const gl::Context& gl, const FrameInputs& in,
     view.light_counts = {in.lights.directional_count, in.lights.count, across, 0U};
     const EnvironmentMaps& e = in.environment;
     view.environment = {e.last_level, 0.0F, 0.0F, 0.0F};
+    view.key_light = in.key_light.place;
     view.background.x = in.background.blur * e.last_level;
     for (std::size_t i = 0; i < e.irradiance_sh.size(); ++i)
         view.irradiance_sh[i] = math::Vec4(e.irradiance_sh[i], 0.0F);
@@ -158,10 +182,9 @@ base::Status Frame::draw(const gl::Context& gl, const FrameInputs& in, std::uint
     std::reverse(order.begin(), order.end());
     if (auto s = draw_light(gl, in, view, order); !s) return s;
     clock.add_to(&passes.lighting);
-    if (index == 0) aov_pass_.clear(gl, tables::Average::mean, aov_targets_);
-    if (auto s = aov_pass_.run(gl, gbuffer_, tables::Average::mean, empty_, size(), aov_targets_);
-        !s)
-        return s;
+    if (index == 0) clear(gl, tables::Average::mean, aov_targets_);
+    const AovInputs aov_inputs{gbuffer_, in.environment, empty_};
+    if (auto s = aov_pass_.run(gl, aov_inputs, tables::Average::mean, aov_targets_); !s) return s;
     if (count > 1) {
         if (!accumulator_) {
             auto made = Accumulator::create(gl, size());
@@ -186,10 +209,9 @@ base::Status Frame::draw_centered_aovs(const gl::Context& gl, const FrameInputs&
     if (auto s = gbuffer_pass_.run(gl, in.scene, near_to_far(in.scene, view), gbuffer_); !s)
         return s;
     gl.texture_barrier();
-    aov_pass_.clear(gl, tables::Average::nearest, aov_targets_);
-    if (auto s =
-            aov_pass_.run(gl, gbuffer_, tables::Average::nearest, empty_, size(), aov_targets_);
-        !s)
+    clear(gl, tables::Average::nearest, aov_targets_);
+    const AovInputs aov_inputs{gbuffer_, in.environment, empty_};
+    if (auto s = aov_pass_.run(gl, aov_inputs, tables::Average::nearest, aov_targets_); !s)
         return s;
     return gl.check("aovs");
 }
@@ -220,13 +242,28 @@ base::Status Frame::display_picture(const gl::Context& gl, const image::Image& r
     return gl.check("display");
 }
 
+const AovTarget* Frame::aov_target(tables::Aov aov) const {
+    for (const AovTarget& target : aov_targets_)
+        if (target.aov == aov) return &target;
+    return nullptr;
+}
+
+const gl::Texture* Frame::aov_texture(tables::Aov aov) const {
+    const AovTarget* target = aov_target(aov);
+    return target == nullptr ? nullptr : &target->sum;
+}
+
+std::optional<image::Layer> Frame::read_aov(const gl::Context& gl, tables::Aov aov,
+                                            std::uint32_t count) const {
+    const AovTarget* target = aov_target(aov);
+    if (target == nullptr) return std::nullopt;
+    const tables::AovRow& row = tables::row(aov);
+    return image::layer_of(row.key, row.channels, frame::read_aov(gl, *target, size(), count));
+}
+
 std::vector<image::Layer> Frame::read_aovs(const gl::Context& gl, std::uint32_t count) const {
     std::vector<image::Layer> layers;
-    for (const AovTarget& target : aov_targets_) {
-        const tables::AovRow& row = tables::row(target.aov);
-        layers.push_back(
-            image::layer_of(row.key, row.channels, read_aov(gl, target, size(), count)));
-    }
+    for (const tables::Aov aov : spec_.aovs) layers.push_back(*read_aov(gl, aov, count));
     return layers;
 }
 

@@ -12,6 +12,7 @@
 #include "frame/upload/gpu_scene.h"
 #include "frame/view.h"
 #include "image/read.h"
+#include "scene/key_light.h"
 
 #include <optional>
 #include <vector>
@@ -33,6 +34,7 @@ struct FrameInputs {
     const PackedLights& lights;
     const scene::Camera& camera;
     const Background& background;
+    scene::KeyLight key_light{};  ///< for AOVs that are terms of the BRDF
 };
 
 /// Milliseconds a pass took, each waited for; asked for by benchmarks only.
@@ -52,7 +54,12 @@ public:
     /// Other targets of another size; programs stay, AOV targets and sums are empty again. Errors:
     /// limit_reached.
     [[nodiscard]] base::Status resize(const gl::Context& gl, const FrameSpec& spec);
-    /// Draws sample `index` of `count` and adds it, unless it is the only one.
+    /// Changes which further outputs there are, from the next frame on, which is sample 0. Programs
+    /// are kept, and targets that stay. Errors: internal.
+    [[nodiscard]] base::Status set_aovs(const gl::Context& gl, std::vector<tables::Aov> aovs);
+
+    /// Draws sample `index` of `count` and adds it, unless it is the only one. Sample 0 begins all
+    /// sums anew.
     [[nodiscard]] base::Status draw(const gl::Context& gl, const FrameInputs& in,
                                     std::uint32_t index, std::uint32_t count,
                                     PassTimes* times = nullptr);
@@ -77,6 +84,13 @@ public:
     /// What display() drew last: RGBA, rows from the bottom.
     [[nodiscard]] const gl::Texture& display_texture() const { return display_pass_.texture(); }
     [[nodiscard]] const FrameSpec& spec() const { return spec_; }
+    /// One of them; none where it was not asked for.
+    [[nodiscard]] std::optional<image::Layer> read_aov(const gl::Context& gl, tables::Aov aov,
+                                                       std::uint32_t count) const;
+    /// Its sum over the frames drawn, of draw_centered_aovs() alone where it is not averaged: RGBA
+    /// f32, rows from the bottom; a: how many of them had a surface. Null where not asked for; dies
+    /// with the next set_aovs().
+    [[nodiscard]] const gl::Texture* aov_texture(tables::Aov aov) const;
     [[nodiscard]] math::Extent size() const { return spec_.region.size; }
 
 private:
@@ -89,6 +103,9 @@ private:
           aov_pass_(sources),
           display_pass_(sources) {}
 
+    /// The G-buffer, and what shares its depth: as the AOVs need them.
+    [[nodiscard]] base::Status make_targets(const gl::Context& gl);
+    [[nodiscard]] const AovTarget* aov_target(tables::Aov aov) const;
     void set_view(const gl::Context& gl, const FrameInputs& in, const shared::View& camera_view);
     [[nodiscard]] ShadeKey upload_lights(const gl::Context& gl, const FrameInputs& in);
     /// `opaque`: for the surfaces of the G-buffer, whose depth leaves out lights.

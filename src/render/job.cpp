@@ -63,7 +63,12 @@ base::Status apply_edits(const tables::Settings& settings, const Plan& plan, Job
     auto materials = std::exchange(scene.materials, job.originals.materials);
     auto lights = std::exchange(scene.lights, job.originals.lights);
     auto edited = edit(settings, plan, scene);
-    if (edited) return edited;
+    if (edited) {
+        job.named_light = settings.light.empty()
+                              ? std::nullopt
+                              : std::optional(scene.lights.size() - settings.light.size());
+        return edited;
+    }
     scene.materials = std::move(materials);
     scene.lights = std::move(lights);
     return edited;
@@ -89,6 +94,7 @@ base::Result<Job> load_job(const Request& request, const Plan& plan, base::Threa
     auto loaded = load_scene(request, plan, pool);
     if (!loaded) return tl::unexpected(loaded.error());
     Job job{.scene = std::move(loaded->scene),
+            .env_rotation_deg = settings.env_rotation,
             .warnings = std::move(loaded->warnings),
             .reads = std::move(loaded->reads)};
     job.originals = {job.scene.materials, job.scene.lights};
@@ -96,6 +102,14 @@ base::Result<Job> load_job(const Request& request, const Plan& plan, base::Threa
     if (auto s = load_environment(settings, plan, pool, job); !s) return tl::unexpected(s.error());
     if (auto s = aim_camera(settings, job); !s) return tl::unexpected(s.error());
     return job;
+}
+
+scene::KeyLight key_light(const Job& job, std::span<const tables::Aov> aovs) {
+    if (!tables::any_of_kind(aovs, tables::AovKind::key_light)) return {};
+    return scene::key_light({.scene = job.scene,
+                             .environment = job.environment,
+                             .env_rotation_deg = job.env_rotation_deg,
+                             .named = job.named_light});
 }
 
 }  // namespace facet::render

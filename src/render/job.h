@@ -6,9 +6,12 @@
 #include "render/plan.h"
 #include "render/render.h"
 #include "scene/environment.h"
+#include "scene/key_light.h"
 #include "scene/scene.h"
 
 #include <filesystem>
+#include <optional>
+#include <span>
 #include <vector>
 
 namespace facet::render {
@@ -24,6 +27,8 @@ struct Job {
     Originals originals;
     scene::Environment environment;
     scene::Camera camera;
+    float env_rotation_deg = 0.0F;
+    std::optional<std::size_t> named_light;  ///< the first --light among the scene's
     base::Warnings warnings;
     std::vector<std::filesystem::path> reads;
 };
@@ -41,5 +46,7 @@ struct Job {
                                             base::ThreadPool& pool, Job& job);
 /// Resolves the camera that the settings name.
 [[nodiscard]] base::Status aim_camera(const tables::Settings& settings, Job& job);
+/// The light that AOVs of the BRDF's terms are for; not looked for where none of them is wanted.
+[[nodiscard]] scene::KeyLight key_light(const Job& job, std::span<const tables::Aov> aovs);
 
 }  // namespace facet::render

@@ -64,7 +64,8 @@ base::Result<Reference> trace_reference(const Session& session, const Request& r
          .env_intensity = request.settings.env_intensity,
          .shows_environment = plan.background.kind == frame::BackgroundKind::environment,
          .background_blur = plan.background.blur,
-         .brdf = plan.brdf},
+         .brdf = plan.brdf,
+         .key_light = key_light(job, plan.aovs)},
         plan.limits, pool);
     if (!tracer) return tl::unexpected(tracer.error());
     const trace::TraceSettings settings{.picture = plan.picture,

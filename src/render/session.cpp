@@ -67,6 +67,12 @@ base::Status Session::upload_environment(base::Warnings& warnings) {
     return {};
 }
 
+scene::KeyLight Session::key_light_for(const std::vector<tables::Aov>& aovs) {
+    if (!tables::any_of_kind(aovs, tables::AovKind::key_light)) return {};
+    if (!key_light_) key_light_ = key_light(job_, aovs);
+    return *key_light_;
+}
+
 base::Status Session::make_frame() {
     const auto folder = base::data_folder();
     if (!folder) return tl::unexpected(folder.error());
@@ -83,10 +89,12 @@ base::Status Session::make_frame() {
 }
 
 base::Status Session::draw(std::uint32_t index, std::uint32_t count, frame::PassTimes* times) {
-    return frame_->draw(*gl_, inputs(), index, count, times);
+    return frame_->draw(*gl_, inputs(key_light_for(plan_.aovs)), index, count, times);
 }
 
-base::Status Session::draw_centered_aovs() { return frame_->draw_centered_aovs(*gl_, inputs()); }
+base::Status Session::draw_centered_aovs() {
+    return frame_->draw_centered_aovs(*gl_, inputs(key_light_for(plan_.aovs)));
+}
 
 double Session::measure_exposure(std::uint32_t count) {
     const math::Extent size = frame_->size();
@@ -131,7 +139,9 @@ void Session::lay_over_background(image::Image& radiance, double exposure) const
 }
 
 void Session::set_lights(std::span<const scene::Light> lights) {
-    lights_ = std::make_unique<frame::PackedLights>(frame::pack_lights(lights));
+    job_.scene.lights = std::vector<scene::Light>(lights.begin(), lights.end());
+    lights_ = std::make_unique<frame::PackedLights>(frame::pack_lights(job_.scene.lights));
+    key_light_.reset();
 }
 
 image::Layer Session::read_beauty(double exposure, std::uint32_t count) const {

@@ -64,6 +64,7 @@ public:
     /// Beauty as radiance in nit, over the background colour where one is named.
     [[nodiscard]] image::Layer read_beauty(double exposure, std::uint32_t count) const;
     [[nodiscard]] std::vector<image::Layer> read_aovs(std::uint32_t count) const;
+
     /// Returns when every pixel drawn so far is complete.
     void finish() const { gl_->finish(); }
 
@@ -91,10 +92,13 @@ private:
     frame::EnvironmentMaps environment_;
     std::unique_ptr<frame::PackedLights> lights_;
     std::optional<frame::Frame> frame_;
-    std::optional<frame::Frame> probe_;  ///< made at first need
+    std::optional<frame::Frame> probe_;         ///< made at first need
+    std::optional<scene::KeyLight> key_light_;  ///< found at first need
 
-    [[nodiscard]] frame::FrameInputs inputs() const {
-        return {scene_, environment_, *lights_, job_.camera, plan_.background};
+    [[nodiscard]] scene::KeyLight key_light_for(const std::vector<tables::Aov>& aovs);
+    /// `key` outlives the result.
+    [[nodiscard]] frame::FrameInputs inputs(const scene::KeyLight& key) const {
+        return {scene_, environment_, *lights_, job_.camera, plan_.background, key};
     }
 };
 

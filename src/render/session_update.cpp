@@ -35,6 +35,8 @@ base::Status Session::change_scene(const Settings& settings, const Plan& plan) {
 base::Status Session::change(const Settings& settings, const Plan& plan, base::Warnings& warnings) {
     const Settings before = std::exchange(settings_, settings);
     const Plan plan_before = std::exchange(plan_, plan);
+    key_light_.reset();
+    job_.env_rotation_deg = settings.env_rotation;
     const bool new_draft = plan.is_draft != plan_before.is_draft;
     const bool new_brdf = !(plan.brdf == plan_before.brdf);
     const bool new_environment = settings.env != before.env;
@@ -74,8 +76,10 @@ base::Result<std::vector<image::Layer>> Session::probe(const frame::Region& regi
     } else if (auto s = probe_->resize(*gl_, spec); !s) {
         return tl::unexpected(s.error());
     }
-    if (auto s = probe_->draw(*gl_, inputs(), 0, 1); !s) return tl::unexpected(s.error());
-    if (auto s = probe_->draw_centered_aovs(*gl_, inputs()); !s) return tl::unexpected(s.error());
+    const scene::KeyLight key = key_light_for(aovs);
+    if (auto s = probe_->draw(*gl_, inputs(key), 0, 1); !s) return tl::unexpected(s.error());
+    if (auto s = probe_->draw_centered_aovs(*gl_, inputs(key)); !s)
+        return tl::unexpected(s.error());
     return probe_->read_aovs(*gl_, 1);
 }
 

@@ -3,7 +3,6 @@
 #include "render/viewable.h"
 
 #include "math/color.h"
-#include "tables/aovs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,10 +10,7 @@
 namespace facet::render {
 namespace {
 
-const tables::AovRow& row_of(std::string_view key) {
-    return *std::find_if(tables::aovs.begin(), tables::aovs.end(),
-                         [&](const tables::AovRow& row) { return row.key == key; });
-}
+using tables::PngCode;
 
 /// A colour an id that stays apart from its neighbours': the golden ratio's turns of hue.
 math::Vec3 id_color(float id) {
@@ -28,41 +24,56 @@ math::Vec3 id_color(float id) {
 }
 
 /// The finite values' ends, for AOVs without a natural range.
-std::pair<float, float> finite_range(std::span<const float> values) {
+struct FiniteRange {
     float low = INFINITY;
     float high = -INFINITY;
-    for (const float v : values)
-        if (std::isfinite(v)) {
-            low = std::min(low, v);
-            high = std::max(high, v);
-        }
-    return low < high ? std::pair(low, high) : std::pair(0.0F, 1.0F);
+    explicit FiniteRange(std::span<const float> values) {
+        for (const float v : values)
+            if (std::isfinite(v)) {
+                low = std::min(low, v);
+                high = std::max(high, v);
+            }
+        if (low < high) return;
+        low = 0.0F;
+        high = 1.0F;
+    }
+};
+
+float coded(float v, PngCode code, const FiniteRange& range) {
+    switch (code) {
+        case PngCode::signed_unit:
+            return v * 0.5F + 0.5F;
+        case PngCode::range:
+            return std::isfinite(v) ? (v - range.low) / (range.high - range.low) : 1.0F;
+        case PngCode::compressed:
+            return std::isfinite(v) ? v / (1.0F + v) : 1.0F;
+        case PngCode::clamp:
+        case PngCode::exposed:
+        case PngCode::id_color:
+            break;
+    }
+    return v;
 }
 
 }  // namespace
 
-image::Image viewable(const image::Layer& layer, float) {
-    const tables::AovRow& row = row_of(layer.name);
+image::Image viewable(tables::Aov aov, const image::Layer& layer, double exposure) {
+    const tables::AovRow& row = tables::row(aov);
     const auto values = layer.image.as<float>();
     const std::size_t channels = layer.image.channels;
-    const auto [low, high] = finite_range(values);
+    const float factor = row.png == PngCode::exposed ? static_cast<float>(exposure) : 1.0F;
+    const FiniteRange range(row.png == PngCode::range ? values : std::span<const float>{});
     image::Image out(layer.image.size, 3, image::Sample::u8);
     const auto codes = out.as<std::uint8_t>();
     for (std::size_t i = 0; i < values.size() / channels; ++i) {
-        math::Vec3 color;
-        for (std::size_t c = 0; c < 3; ++c) {
-            const float v = values[i * channels + (channels == 3 ? c : 0)];
-            float shown = v;
-            if (row.png == tables::PngCode::signed_unit) shown = v * 0.5F + 0.5F;
-            if (row.png == tables::PngCode::range)
-                shown = std::isfinite(v) ? (v - low) / (high - low) : 1.0F;
-            color[static_cast<int>(c)] = shown;
-        }
-        if (row.png == tables::PngCode::id_color) color = id_color(values[i * channels]);
-        for (std::size_t c = 0; c < 3; ++c) {
-            float shown = std::clamp(color[static_cast<int>(c)], 0.0F, 1.0F);
+        const float* v = values.data() + i * channels;
+        math::Vec3 color = channels == 3 ? math::Vec3(v[0], v[1], v[2]) : math::Vec3(v[0]);
+        if (row.png == PngCode::id_color) color = id_color(v[0]);
+        for (int c = 0; c < 3; ++c) {
+            float shown = std::clamp(coded(color[c] * factor, row.png, range), 0.0F, 1.0F);
             if (row.space != tables::Space::none) shown = math::srgb_from_linear(shown);
-            codes[i * 3 + c] = static_cast<std::uint8_t>(std::lround(shown * 255.0F));
+            codes[i * 3 + static_cast<std::size_t>(c)] =
+                static_cast<std::uint8_t>(std::lround(shown * 255.0F));
         }
     }
     return out;

@@ -51,13 +51,14 @@ base::Result<image::Depth> depth_for(const tables::ImageFormatRow& row, const st
     return name == "half" ? image::Depth::half : image::Depth::f32;
 }
 
-base::Status write_side_files(const fs::path& output, const std::vector<image::Layer>& layers) {
-    for (const image::Layer& layer : layers) {
-        if (layer.name.empty()) continue;
+base::Status write_side_files(const fs::path& output, const Rendered& rendered) {
+    for (const image::Layer& layer : rendered.layers) {
+        const auto aov = tables::aov_named(layer.name);
+        if (!aov) continue;
         fs::path side = output;
         side.replace_extension("." + layer.name + ".png");
-        const auto bytes =
-            image::encode(viewable(layer), {.format = ImageFormat::png, .fast = true});
+        const auto bytes = image::encode(viewable(*aov, layer, rendered.exposure),
+                                         {.format = ImageFormat::png, .fast = true});
         if (!bytes) return tl::unexpected(bytes.error());
         if (auto written = base::write_file_atomically(side, *bytes); !written) return written;
     }
@@ -134,7 +135,7 @@ base::Result<Rendered> render_to_file(const Request& request, const fs::path& ou
     const auto bytes = encode(*rendered, options);
     if (!bytes) return tl::unexpected(base::in_file(bytes.error(), output.string()));
     if (!row.layers)
-        if (auto sides = write_side_files(output, rendered->layers); !sides)
+        if (auto sides = write_side_files(output, *rendered); !sides)
             return tl::unexpected(sides.error());
     if (auto written = base::write_file_atomically(output, *bytes); !written)
         return tl::unexpected(written.error());

@@ -115,6 +115,29 @@ void Commands::act_edit(Action action) {
     }
 }
 
+void Commands::frame_selected() {
+    Editor& editor = tools_.editor;
+    const scene::Scene& scene = tools_.stage.scene();
+    math::Bounds bounds;
+    for (const scene::Instance& instance : scene.instances) {
+        const scene::Mesh& mesh = scene.meshes[instance.mesh.index];
+        if (editor.material && mesh.material.index != *editor.material) continue;
+        for (unsigned corner = 0; corner < 8; ++corner) {
+            const math::Bounds& b = mesh.bounds_m;
+            const math::Vec3 at((corner & 1U) != 0 ? b.high.x : b.low.x,
+                                (corner & 2U) != 0 ? b.high.y : b.low.y,
+                                (corner & 4U) != 0 ? b.high.z : b.low.z);
+            bounds.add(math::Vec3(instance.world_from_object * math::Vec4(at, 1.0F)));
+        }
+    }
+    const scene::Camera& camera = tools_.stage.job().camera;
+    const math::Extent size = tools_.stage.size_px();
+    Orbit orbit = orbit_of(camera, scene.bounds_m());
+    frame(orbit, bounds, camera.yfov_rad,
+          static_cast<float>(size.width) / static_cast<float>(std::max(1U, size.height)));
+    editor.look_from(orbit, camera.yfov_rad);
+}
+
 void Commands::act_view(Action action) {
     Editor& editor = tools_.editor;
     Look& look = editor.look;
@@ -126,10 +149,9 @@ void Commands::act_view(Action action) {
         orbit.azimuth_deg = azimuth_deg;
         orbit.elevation_deg = elevation_deg;
         orbit.target_m = tools_.stage.scene().bounds_m().center();
-        editor.orbit = orbit;
-        editor.document.settings.camera = camera_text(orbit);
+        editor.look_from(orbit, tools_.stage.job().camera.yfov_rad);
     };
-    if (action == Action::frame_selected) editor.wanted.frame_selected = true;
+    if (action == Action::frame_selected) frame_selected();
     if (action == Action::view_home) editor.document.settings.camera = editor.opened.camera;
     if (action == Action::view_front) from(0.0F, 0.0F);
     if (action == Action::view_right) from(90.0F, 0.0F);

@@ -57,6 +57,7 @@ private:
     void act_file(Action action);
     void act_edit(Action action);
     void act_view(Action action);
+    void frame_selected();
     void choose_file(FilePurpose purpose, const std::string& name);
     void take_file(FilePurpose purpose, const std::filesystem::path& path);
     [[nodiscard]] base::Status save_scene(const std::filesystem::path& path);

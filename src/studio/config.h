@@ -15,7 +15,7 @@ namespace facet::studio {
 struct Layout {
     float left = 270.0F;
     float right = 350.0F;
-    float bottom = 190.0F;
+    float bottom = 226.0F;
     bool operator==(const Layout&) const = default;
 };
 

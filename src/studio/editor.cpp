@@ -36,6 +36,14 @@ void Editor::paste_material(std::size_t index) {
     });
 }
 
+void Editor::look_from(const Orbit& from, float fov_rad) {
+    tables::Settings& settings = document.settings;
+    if (settings.fov == 0.0F && !settings.camera.starts_with("orbit"))
+        settings.fov = fov_rad * 180.0F / math::pi;
+    orbit = from;
+    settings.camera = camera_text(from);
+}
+
 void Editor::say(Message::Kind kind, std::string text) {
     if (!messages.empty() && messages.back().text == text) return;
     messages.push_back({kind, std::move(text)});

@@ -4,6 +4,7 @@
 
 #include "base/result.h"
 #include "scene/scene.h"
+#include "studio/actions.h"
 #include "studio/document.h"
 #include "studio/look.h"
 #include "studio/orbit.h"
@@ -20,7 +21,7 @@ namespace facet::studio {
 struct Wanted {
     std::optional<std::string> open;     ///< a scene
     std::optional<std::size_t> texture;  ///< slot that a file is to be chosen for
-    bool frame_selected = false;
+    std::optional<Action> action;
     bool copy_material = false;
     bool thumbnails = false;  ///< pictures of the presets
     bool quit = false;
@@ -54,6 +55,9 @@ struct Editor {
     void clear(const std::string& path);
     /// What was copied from one material, into another.
     void paste_material(std::size_t material);
+    /// Turns the view; no step of undo. A camera of the file has an angle of its own, an orbit the
+    /// default one: `fov_rad` is kept.
+    void look_from(const Orbit& from, float fov_rad);
     void say(Message::Kind kind, std::string text);
     void complain(const base::Error& error) { say(Message::Kind::error, base::to_line(error)); }
 };

@@ -53,7 +53,7 @@ void draw_numbers(PanelTools& tools, const PixelFacts& facts) {
 /// wide one are both seen.
 void draw_lobes(PanelTools& tools, const PixelFacts& facts) {
     const float width = ImGui::GetContentRegionAvail().x;
-    const float height = std::min(0.5F * width, tools.ui.px(120.0F));
+    const float height = std::min(0.5F * width, tools.ui.px(92.0F));
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const ImVec2 origin(low.x + 0.5F * width, low.y + height);
     const float radius = std::min(0.5F * width, height) - tools.ui.px(4.0F);
@@ -150,12 +150,15 @@ void draw_histogram(PanelTools& tools, const Histogram& histogram) {
 void draw_inspector(PanelTools& tools) {
     const Inspection& seen = tools.inspection;
     if (!ImGui::BeginTable("inspector", 3, ImGuiTableFlags_BordersInnerV)) return;
+    ImGui::TableSetupColumn("numbers", ImGuiTableColumnFlags_WidthStretch, 1.35F);
+    ImGui::TableSetupColumn("lobes", ImGuiTableColumnFlags_WidthStretch, 1.0F);
+    ImGui::TableSetupColumn("histogram", ImGuiTableColumnFlags_WidthStretch, 1.0F);
     ImGui::TableNextColumn();
     ImGui::BeginChild("numbers", {0.0F, 0.0F});
     if (seen.pixel)
         draw_numbers(tools, *seen.pixel);
     else
-        ImGui::TextDisabled("%s", tools.ui.t("studio.probe_hint"));
+        ImGui::TextWrapped("%s", tools.ui.t("studio.probe_hint"));
     ImGui::EndChild();
     ImGui::TableNextColumn();
     if (seen.pixel && !seen.pixel->is_background) {

@@ -88,6 +88,7 @@ void draw_tools(PanelTools& tools, std::size_t index) {
     ImGui::SameLine();
     if (button(ui, "reset")) editor.clear(material_path(index, ""));
     tooltip(ui.t("studio.reset.help"));
+    draw_presets(tools, index);
     ImGui::SameLine();
     ImGui::Checkbox(labelled(ui, "studio.solo").c_str(), &editor.look.solo);
     ui.mark("solo");
@@ -106,7 +107,6 @@ void draw_material_panel(PanelTools& tools) {
     const std::size_t index = std::min(tools.editor.material.value_or(0), materials.size() - 1);
     tools.editor.material = index;
     draw_tools(tools, index);
-    draw_presets(tools, index);
     heading(tools.ui.t("studio.parameters"));
     for (const MaterialParam& param : tables::material_params)
         draw_param(tools, param, index, materials[index].values);

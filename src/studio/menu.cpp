@@ -61,9 +61,11 @@ namespace {
 
 std::string stage_text(const PanelTools& tools) {
     const math::Extent size = tools.stage.size_px();
-    return fmt::format("{} x {}   {} {} / {}   {:.0f} ms", size.width, size.height,
-                       tools.ui.t("studio.samples"), tools.stage.samples(),
-                       tools.stage.samples_wanted(), tools.stage.last_ms());
+    const std::string text =
+        fmt::format("{} x {}   {} {} / {}", size.width, size.height, tools.ui.t("studio.samples"),
+                    tools.stage.samples(), tools.stage.samples_wanted());
+    if (tools.stage.is_steady()) return text;  // whose pictures are the same on any machine
+    return text + fmt::format("   {:.0f} ms", tools.stage.last_ms());
 }
 
 void draw_message(PanelTools& tools) {

@@ -3,6 +3,8 @@
 #include "studio/reference_worker.h"
 
 #include "base/thread_pool.h"
+#include "render/job.h"
+#include "render/plan.h"
 #include "trace/trace.h"
 
 #include <sys/resource.h>

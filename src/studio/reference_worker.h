@@ -3,8 +3,6 @@
 #pragma once
 
 #include "image/image.h"
-#include "render/job.h"
-#include "render/plan.h"
 #include "tables/settings.h"
 
 #include <atomic>
@@ -14,6 +12,11 @@
 #include <optional>
 #include <string>
 #include <thread>
+
+namespace facet::render {
+struct Job;
+struct Plan;
+}  // namespace facet::render
 
 namespace facet::studio {
 

@@ -42,11 +42,10 @@ void draw_tree(PanelTools& tools) {
 
 void draw_cameras(PanelTools& tools) {
     const scene::Scene& scene = tools.stage.scene();
-    if (button(tools.ui, "frame_selected")) tools.editor.wanted.frame_selected = true;
+    if (button(tools.ui, "frame_selected")) tools.editor.wanted.action = Action::frame_selected;
     tooltip(tools.ui.t("studio.frame_selected.help"));
     ImGui::SameLine();
-    if (button(tools.ui, "view_home"))
-        tools.editor.document.settings.camera = tools.editor.opened.camera;
+    if (button(tools.ui, "view_home")) tools.editor.wanted.action = Action::view_home;
     for (std::size_t i = 0; i < scene.cameras.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
         if (ImGui::Selectable((scene.cameras[i].name + "###camera").c_str()))

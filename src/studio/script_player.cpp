@@ -64,7 +64,7 @@ void ScriptPlayer::click(Input& input) {
 }
 
 base::Status ScriptPlayer::drag(const ScriptStep& step, Input& input) {
-    if (frame_ == 0) {
+    if (frame_ <= 1) {
         const auto x = base::parse_number(step.words[1]);
         const auto y = step.words.size() > 2 ? base::parse_number(step.words[2]) : 0.0;
         if (!x || !y) return failed(step, "not a number", step.words[1], "drag LABEL X [Y]");
@@ -100,11 +100,12 @@ base::Status ScriptPlayer::press(const ScriptStep& step, Input& input) {
 base::Status ScriptPlayer::play_step(const ScriptStep& step, Input& input, const Ui& ui,
                                      bool picture_finished, const Act& act) {
     if (step.verb == Verb::click || step.verb == Verb::drag) {
-        if (frame_ == 0) {
+        // Once more when it is pressed: what came before may still have moved it.
+        if (frame_ <= 1) {
             const auto found = find(step, ui);
             if (!found) return tl::unexpected(found.error());
-            if (*found == nullptr) return ++waited_, base::Status{};
-            widget_ = **found;
+            if (*found == nullptr && frame_ == 0) return ++waited_, base::Status{};
+            if (*found != nullptr) widget_ = **found;
         }
         if (step.verb == Verb::drag) return drag(step, input);
         click(input);

@@ -179,6 +179,9 @@ base::Status Stage::step(const Scenery& scenery, UiRenderer& pictures) {
     finished_ = false;
     const bool coarse = scenery.moving || size != scenery.area_px;
     const std::uint32_t wanted = coarse ? 1 : samples_wanted();
+    // One sample of one is the pixel's centre, and is in no sum.
+    if (!coarse && is_coarse_) drawn_ = 0;
+    is_coarse_ = coarse;
     if (drawn_ < wanted)
         if (auto s = draw_sample(wanted); !s) return s;
     applied_ = scenery;
@@ -222,7 +225,7 @@ base::Status Stage::show(const Scenery& scenery, UiRenderer& pictures) {
     const image::Layer sum = sum_of(layers);
     pictures.hide(Slot::viewport);
     return pictures.upload(tools_.gl, Slot::viewport,
-                           render::viewable(sum, static_cast<float>(exposure_)));
+                           render::viewable(view.aovs.front(), sum, exposure_));
 }
 
 base::Status Stage::show_original(const Scenery& scenery, UiRenderer& pictures) {

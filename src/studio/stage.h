@@ -62,6 +62,7 @@ public:
     /// Loads the document's scene. On an error the one before stays. `steady`: always at full size,
     /// for pictures that must not depend on the machine's speed.
     [[nodiscard]] base::Status open(const Document& document, bool steady);
+    [[nodiscard]] bool is_steady() const { return steady_; }
     [[nodiscard]] bool is_open() const { return session_ != nullptr; }
 
     /// Takes over what changed and draws one step. Errors: those of the settings; the picture is
@@ -117,6 +118,7 @@ private:
     std::optional<Scenery> applied_;  ///< none: everything has to be taken over
     tables::Settings session_settings_;
     std::uint32_t drawn_ = 0;
+    bool is_coarse_ = false;  ///< drawn_ is one sample of one
     bool finished_ = false;
     bool original_shown_ = false;
     double exposure_ = 1.0;

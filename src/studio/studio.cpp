@@ -7,12 +7,12 @@
 #include "base/text.h"
 #include "base/texts.h"
 #include "image/write.h"
-#include "render/job.h"
 #include "render/plan.h"
 #include "studio/commands.h"
 #include "studio/fonts.h"
 #include "studio/layout.h"
 #include "studio/menu.h"
+#include "studio/prober.h"
 #include "studio/screen.h"
 #include "studio/thumbnails.h"
 #include "studio/truth.h"
@@ -63,8 +63,6 @@ private:
     base::Status draw_frame();
     void draw_panels_and_dialogs();
     void do_wanted();
-    void frame_selected();
-    void inspect();
     base::Status act(const ScriptStep& step);
     base::Status step_stage();
     base::Status write_shot(const std::filesystem::path& path);
@@ -90,8 +88,7 @@ private:
     std::optional<Truth> truth_;
     std::optional<Thumbnails> thumbnails_;
     Inspection inspection_;
-    std::uint32_t inspected_count_ = 0;
-    std::optional<math::Vec2> probed_px_;
+    Prober prober_;
     Input input_;
     ScriptPlayer player_;
     float scale_ = 0.0F;
@@ -181,52 +178,8 @@ base::Status Studio::step_stage() {
     auto stepped = stage_->step(scenery, *pictures_);
     if (!stepped) return stepped;
     truth_->update(screen_->gl(), *stage_, editor_, *pictures_, inspection_);
-    inspect();
+    prober_.update(screen_->gl(), *stage_, editor_, *pictures_, inspection_);
     return {};
-}
-
-void Studio::inspect() {
-    if (stage_->is_finished() && stage_->shown_count() != inspected_count_) {
-        inspected_count_ = stage_->shown_count();
-        inspection_.histogram = histogram(stage_->shown());
-        if (auto s =
-                pictures_->upload(screen_->gl(), Slot::overlay, clipping_overlay(stage_->shown()));
-            !s)
-            editor_.complain(s.error());
-        probed_px_.reset();
-    }
-    const auto at_px = editor_.wanted.probe_px;
-    editor_.wanted.probe_px.reset();
-    if (!at_px || !stage_->is_finished() || probed_px_ == at_px) return;
-    probed_px_ = at_px;
-    auto probed = stage_->probe(*at_px);
-    if (!probed) return editor_.complain(probed.error());
-    const math::Vec3 eye_m(stage_->job().camera.world_from_view[3]);
-    inspection_.pixel = facts_of(*at_px, std::move(*probed), eye_m, stage_->plan().brdf);
-}
-
-void Studio::frame_selected() {
-    const scene::Scene& scene = stage_->scene();
-    math::Bounds bounds;
-    for (const scene::Instance& instance : scene.instances) {
-        const scene::Mesh& mesh = scene.meshes[instance.mesh.index];
-        if (editor_.material && mesh.material.index != *editor_.material) continue;
-        for (unsigned corner = 0; corner < 8; ++corner) {
-            const math::Bounds& b = mesh.bounds_m;
-            const math::Vec3 at((corner & 1U) != 0 ? b.high.x : b.low.x,
-                                (corner & 2U) != 0 ? b.high.y : b.low.y,
-                                (corner & 4U) != 0 ? b.high.z : b.low.z);
-            bounds.add(math::Vec3(instance.world_from_object * math::Vec4(at, 1.0F)));
-        }
-    }
-    Orbit orbit = orbit_of(stage_->job().camera, scene.bounds_m());
-    frame(orbit, bounds, stage_->job().camera.yfov_rad,
-          static_cast<float>(area_px_.width) / static_cast<float>(std::max(1U, area_px_.height)));
-    editor_.orbit = orbit;
-    tables::Settings& settings = editor_.document.settings;
-    if (settings.fov == 0.0F && !settings.camera.starts_with("orbit"))
-        settings.fov = stage_->job().camera.yfov_rad * 180.0F / math::pi;
-    settings.camera = camera_text(orbit);
 }
 
 void Studio::do_wanted() {
@@ -234,16 +187,9 @@ void Studio::do_wanted() {
     if (const auto scene = std::exchange(wanted.open, std::nullopt))
         if (auto s = commands_->open_scene({*scene, request_.settings}); !s)
             editor_.complain(s.error());
-    if (std::exchange(wanted.frame_selected, false)) frame_selected();
+    if (const auto action = std::exchange(wanted.action, std::nullopt)) commands_->act(*action);
     if (std::exchange(wanted.thumbnails, false))
         if (auto s = thumbnails_->step(*pictures_); !s) editor_.complain(s.error());
-    if (const auto at_px = std::exchange(wanted.pick_px, std::nullopt)) {
-        const auto probed = stage_->probe(*at_px);
-        if (!probed) return editor_.complain(probed.error());
-        for (const Probed& value : *probed)
-            if (value.aov == tables::Aov::material_id && value.value.x > 0.0F)
-                editor_.material = static_cast<std::size_t>(value.value.x) - 1;
-    }
 }
 
 void Studio::draw_panels_and_dialogs() {

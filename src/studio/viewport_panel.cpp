@@ -192,12 +192,7 @@ void navigate(PanelTools& tools, const Area& area) {
     const auto& held = tools.editor.orbit;
     if (held && camera_text(*held) == tools.editor.document.settings.camera) orbit = *held;
     if (!move_view(orbit, tools, area.size_px.y, hovered, active)) return;
-    tables::Settings& settings = tools.editor.document.settings;
-    // A camera of the file has an angle of its own; an orbit has the default one.
-    if (settings.fov == 0.0F && !settings.camera.starts_with("orbit"))
-        settings.fov = tools.stage.job().camera.yfov_rad * 180.0F / math::pi;
-    tools.editor.orbit = orbit;
-    settings.camera = camera_text(orbit);
+    tools.editor.look_from(orbit, tools.stage.job().camera.yfov_rad);
 }
 
 }  // namespace

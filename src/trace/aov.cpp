@@ -5,6 +5,7 @@
 #include "trace/sequence.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace facet::trace {
@@ -15,6 +16,27 @@ using math::Vec3;
 
 /// AOVs have no noise but the edges': as many as the rasteriser's finest quality half.
 constexpr std::uint32_t most_samples = 16;
+
+/// Perceptual roughness that the rasteriser's lights shade with at least (lib/shading_bounds.glsl);
+/// the terms are those of its picture, where a mirror's D has no end.
+constexpr float roughness_min = 0.05F;
+
+/// The terms of the BRDF in the light of the key light; glsl/frame/aov/aov.frag's add_key_light.
+void add_key_light(const World& world, const Vec3& v, AovSurface& surface) {
+    const Vec3 l = world.key_light.direction_from(surface.position_m);
+    const Vec3 sum = v + l;
+    const Vec3 h = sum / std::sqrt(std::max(math::dot(sum, sum), 1e-12F));
+    surface.n_dot_v = std::clamp(math::dot(surface.normal, v), n_dot_v_min, 1.0F);
+    surface.n_dot_l = std::clamp(math::dot(surface.normal, l), 0.0F, 1.0F);
+    surface.n_dot_h = std::clamp(math::dot(surface.normal, h), 0.0F, 1.0F);
+    surface.v_dot_h = std::clamp(math::dot(v, h), 0.0F, 1.0F);
+    Lobes terms = world.model.lights;
+    const auto s = terms.brdf_surface(surface.albedo, surface.metallic,
+                                      std::max(surface.roughness, roughness_min));
+    const auto view =
+        terms.brdf_view(s, surface.n_dot_v, world.model.albedo(surface.n_dot_v, s.roughness));
+    surface.brdf = terms.brdf_terms(view, surface.n_dot_l, surface.n_dot_h, surface.v_dot_h);
+}
 
 /// The first surface that is not blended. False where there is none.
 bool first_surface(const World& world, Ray ray, const Cone& cone, const Vec3& forward,
@@ -55,6 +77,7 @@ public:
           settings_(settings),
           samples_(std::min(settings.samples, most_samples)),
           aovs_(aovs),
+          with_key_light_(tables::any_of_kind(aovs, tables::AovKind::key_light)),
           forward_(camera.forward()) {}
 
     void write(std::uint32_t x, std::uint32_t y, std::vector<image::Layer>& layers) const {
@@ -82,8 +105,11 @@ public:
 
 private:
     bool look(Vec2 at_px, AovSurface& surface) const {
-        return first_surface(world_, camera_.ray(at_px),
-                             {camera_.cone_at_eye_m(), camera_.cone_spread()}, forward_, surface);
+        const Ray ray = camera_.ray(at_px);
+        const Cone cone{camera_.cone_at_eye_m(), camera_.cone_spread()};
+        if (!first_surface(world_, ray, cone, forward_, surface)) return false;
+        if (with_key_light_) add_key_light(world_, -ray.direction, surface);
+        return true;
     }
     static Vec3 nothing(tables::Aov aov) {
         return Vec3(aov == tables::Aov::depth ? std::numeric_limits<float>::infinity() : 0.0F);
@@ -94,6 +120,7 @@ private:
     const TraceSettings& settings_;
     std::uint32_t samples_;
     const std::vector<tables::Aov>& aovs_;
+    bool with_key_light_;
     Vec3 forward_;
 };
 

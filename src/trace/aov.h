@@ -24,6 +24,11 @@ struct AovSurface {
     float depth_m = 0.0F;
     std::uint32_t object_id = 0;
     std::uint32_t material_id = 0;
+    float n_dot_v = 0.0F;
+    float n_dot_l = 0.0F;
+    float n_dot_h = 0.0F;
+    float v_dot_h = 0.0F;
+    Lobes::BrdfTerms brdf{};
 };
 [[nodiscard]] math::Vec3 aov_value(tables::Aov aov, const AovSurface& surface);
 

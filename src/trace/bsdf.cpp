@@ -13,8 +13,6 @@ namespace {
 using math::Vec2;
 using math::Vec3;
 
-/// As in lighting/shade.glsl: below this cosine the surface is seen edge on.
-constexpr float n_dot_v_min = 1e-3F;
 /// Narrower lobes are mirrors: float's n.h resolves no half vector within them (1 - n.h comes in
 /// steps of 6e-8, and D turns within alpha^2 / 2).
 constexpr float mirror_alpha_max = 1e-3F;

@@ -11,6 +11,9 @@ namespace facet::trace {
 
 using Lobes = brdf::Terms<float>;
 
+/// As in lib/shading_bounds.glsl: below this cosine the surface is seen edge on.
+inline constexpr float n_dot_v_min = 1e-3F;
+
 /// The BRDF of a picture: the terms chosen, and the table that the rasteriser looks up too.
 struct Model {
     explicit Model(const tables::BrdfChoice& choice);

@@ -2,6 +2,7 @@
 // estimation and multiple importance sampling (Veach 1997). SPDX-License-Identifier: MIT
 #pragma once
 
+#include "scene/key_light.h"
 #include "trace/bsdf.h"
 #include "trace/environment_light.h"
 #include "trace/geometry.h"
@@ -25,6 +26,7 @@ struct World {
     float blur =
         0.0F;  ///< of the environment there: a GGX lobe of this roughness, as the rasteriser's
     std::uint32_t bounce_limit = 64;
+    scene::KeyLight key_light{};  ///< for AOVs that are terms of the BRDF
 };
 
 /// What one ray stands for: its width at its origin in metres, and how much wider it gets per

@@ -124,7 +124,8 @@ struct Tracer::Impl {
                 .model = model,
                 .shows_environment = inputs.shows_environment,
                 .blur = inputs.background_blur,
-                .bounce_limit = bounces};
+                .bounce_limit = bounces,
+                .key_light = inputs.key_light};
     }
 };
 

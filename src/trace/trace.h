@@ -8,6 +8,7 @@
 #include "base/thread_pool.h"
 #include "image/read.h"
 #include "scene/environment.h"
+#include "scene/key_light.h"
 #include "scene/scene.h"
 #include "tables/aovs.h"
 #include "tables/brdf_terms.h"
@@ -31,6 +32,7 @@ struct TraceInputs {
     float background_blur =
         0.0F;  ///< of the environment shown: roughness of the lobe it is seen through, [0, 1]
     tables::BrdfChoice brdf;
+    scene::KeyLight key_light{};  ///< for AOVs that are terms of the BRDF
 };
 
 struct TraceSettings {

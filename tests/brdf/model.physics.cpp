@@ -177,6 +177,27 @@ TEST(ModelLaws, AWhiteDielectricIsLosslessWithTheExactFresnelTermToo) {
             << n_dot_v;
 }
 
+// f = k_d f_diffuse + k_s D G / (4 n.v n.l), and the added lobe where compensation has one.
+TEST(ModelLaws, TheTermsShownAreWhatALightsValueIsMadeOf) {
+    for (const auto multiscatter : {Multiscatter::on, Multiscatter::off, Multiscatter::kulla_conty})
+        for (const double metallic : {0.0, 0.4, 1.0}) {
+            Lobe lobe{{.multiscatter = multiscatter}};
+            const Color base(0.9, 0.5, 0.1);
+            const double roughness = 0.5;
+            const PairOfDirections at(0.6, 0.7, 150.0);
+            const auto view = view_of(lobe, base, metallic, roughness, 0.05, at.n_dot_v);
+            const auto value = lobe.brdf_light(view, at.n_dot_l, at.n_dot_h, at.v_dot_h, 0.8);
+            const auto terms = lobe.brdf_terms(view, at.n_dot_l, at.n_dot_h, at.v_dot_h);
+            const Color added = view.added * lobe.slot_added_shape(0.8, view.e_average);
+            const double d_v = terms.d * terms.g / (4.0 * at.n_dot_v * at.n_dot_l);
+            for (int c = 0; c < 3; ++c) {
+                EXPECT_NEAR(terms.k_d[c] * base[c] / Lobe::PI, value.diffuse[c], 1e-12);
+                EXPECT_NEAR(terms.k_s[c] * d_v + added[c], value.specular[c], 1e-12);
+                EXPECT_GE(terms.f[c], 0.05 * (1.0 - metallic) + base[c] * metallic);
+            }
+        }
+}
+
 TEST(ModelLaws, IsReciprocalWhereItClaimsToBe) {
     for (const auto multiscatter : {Multiscatter::off, Multiscatter::kulla_conty}) {
         Lobe lobe{{.multiscatter = multiscatter}};

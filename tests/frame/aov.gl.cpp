@@ -123,6 +123,32 @@ TEST_F(AovTest, EmissionIsInNit) {
     EXPECT_NEAR(picture->center().y, 500.0F, 0.1F) << "and adds to the beauty";
 }
 
+// A view may change between frames: what it gives is what a frame made for it gives, and sums begin
+// anew. The first list has a G-buffer with ids, the last one with emission.
+TEST_F(AovTest, AListThatChangesGivesWhatItGivesFromTheStart) {
+    using tables::Aov;
+    shot.scene.materials[0].values.emissive = {1.0F, 0.5F, 0.25F};
+    shot.samples = 4;
+    for (const std::vector<Aov>& list : {std::vector<Aov>{},
+                                         {Aov::depth, Aov::albedo},
+                                         {Aov::emissive, Aov::n_dot_v, Aov::albedo}}) {
+        shot.aovs = list;
+        shot.earlier_aovs = std::nullopt;
+        const auto fresh = harness.draw(shot);
+        ASSERT_TRUE(fresh) << base::to_line(fresh.error());
+        shot.earlier_aovs = {Aov::albedo, Aov::object_id, Aov::n_dot_v};
+        const auto changed = harness.draw(shot);
+        ASSERT_TRUE(changed) << base::to_line(changed.error());
+        EXPECT_EQ(fresh->radiance.bytes, changed->radiance.bytes);
+        ASSERT_EQ(changed->aovs.size(), list.size());
+        for (std::size_t i = 0; i < list.size(); ++i) {
+            EXPECT_EQ(changed->aovs[i].name, tables::row(list[i]).key);
+            EXPECT_EQ(changed->aovs[i].image.bytes, fresh->aovs[i].image.bytes)
+                << changed->aovs[i].name;
+        }
+    }
+}
+
 // out = c a + under (1 - a), associated alpha.
 TEST_F(AovTest, BlendedAlphaIsCoverage) {
     shot.scene.materials[0].alpha_mode = scene::AlphaMode::blend;

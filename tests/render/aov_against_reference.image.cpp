@@ -26,13 +26,19 @@ TEST(AovAgainstReference, EveryAovIsTheSameAwayFromEdges) {
         glm::rotate(math::Mat4(1.0F), 0.5F, math::Vec3(0, 0, 1)) *
         glm::scale(math::Mat4(1.0F), {0.9F, 0.5F, 0.7F});
     Harness harness;
-    const auto raster = harness.draw({.scene = scene, .samples = 8, .aovs = all_aovs()});
+    const scene::KeyLight key_light{{1.0F, 1.5F, 2.0F, 1.0F}};
+    const auto raster =
+        harness.draw({.scene = scene, .samples = 8, .aovs = all_aovs(), .key_light = key_light});
     ASSERT_TRUE(raster) << base::to_line(raster.error());
     base::ThreadPool pool;
     TraceShot shot{.scene = scene};
     const scene::Environment environment{"test", shot.latlong};
-    const auto tracer = trace::Tracer::create(
-        {.scene = scene, .environment = environment, .camera = shot.camera, .brdf = {}}, {}, pool);
+    const auto tracer = trace::Tracer::create({.scene = scene,
+                                               .environment = environment,
+                                               .camera = shot.camera,
+                                               .brdf = {},
+                                               .key_light = key_light},
+                                              {}, pool);
     ASSERT_TRUE(tracer);
     const auto layers = tracer->aovs(shot.settings, all_aovs(), pool);
     ASSERT_EQ(layers.size(), raster->aovs.size());

@@ -24,6 +24,9 @@ struct Shot {
     gl::Backend backend = gl::Backend::automatic;
     unsigned threads = 0;
     std::vector<tables::Aov> aovs;
+    std::optional<std::vector<tables::Aov>>
+        earlier_aovs;  ///< the frame's first: it is drawn with these, and then they change
+    scene::KeyLight key_light{};
 };
 
 struct Picture {
@@ -64,24 +67,35 @@ public:
                                           {.picture = shot.size,
                                            .region = {0, 0, shot.size},
                                            .emissive = scene->emits,
-                                           .aovs = shot.aovs});
+                                           .aovs = shot.earlier_aovs.value_or(shot.aovs)});
         if (!frame) return tl::unexpected(frame.error());
         const frame::PackedLights lights = frame::pack_lights(shot.scene.lights);
-        const frame::FrameInputs in{*scene, *environment, lights, shot.camera, shot.background};
-        for (std::uint32_t i = 0; i < shot.samples; ++i)
-            if (auto drawn = frame->draw(*gl_, in, i, shot.samples); !drawn)
+        const frame::FrameInputs in{*scene,      *environment,    lights,
+                                    shot.camera, shot.background, shot.key_light};
+        if (shot.earlier_aovs) {
+            if (auto drawn = draw_all(*frame, in, shot.samples); !drawn)
                 return tl::unexpected(drawn.error());
+            if (auto set = frame->set_aovs(*gl_, shot.aovs); !set)
+                return tl::unexpected(set.error());
+        }
+        if (auto drawn = draw_all(*frame, in, shot.samples); !drawn)
+            return tl::unexpected(drawn.error());
         Picture out{
             .radiance = frame::read_radiance(*gl_, frame->sum_framebuffer(shot.samples), shot.size),
             .aovs = {}};
         for (float& value : out.radiance.as<float>()) value /= static_cast<float>(shot.samples);
-        if (auto drawn = frame->draw_centered_aovs(*gl_, in); !drawn)
-            return tl::unexpected(drawn.error());
         out.aovs = frame->read_aovs(*gl_, shot.samples);
         return out;
     }
 
 private:
+    base::Status draw_all(frame::Frame& frame, const frame::FrameInputs& in,
+                          std::uint32_t samples) {
+        for (std::uint32_t i = 0; i < samples; ++i)
+            if (auto drawn = frame.draw(*gl_, in, i, samples); !drawn) return drawn;
+        return frame.draw_centered_aovs(*gl_, in);
+    }
+
     base::Log log_;
     base::Result<gl::Context> gl_;
 };

@@ -13,6 +13,14 @@ struct BrdfValue {
     real3 diffuse;
     real3 specular;
 };
+// The factors that a light's BrdfValue is made of, for people to look at.
+struct BrdfTerms {
+    real d;     // [1/sr] distribution of normals
+    real g;     // [0, 1] masking and shadowing
+    real3 f;    // [0, 1] Fresnel reflectance, F0 mixed by metallic
+    real3 k_d;  // diffuse = k_d times the diffuse lobe
+    real3 k_s;  // specular = k_s D V, and what compensation adds; above 1 where it makes up for lost energy
+};
 // What is the same for every light of a pixel.
 struct BrdfView {
     BrdfSurface surface;

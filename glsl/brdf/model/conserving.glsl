@@ -20,14 +20,19 @@ BrdfView conserving_view(BrdfView view) {
     return view;
 }
 
+// returns  factor on D V: Fresnel reflectance of both lobes, weighted
+real3 conserving_specular_share(BrdfView view, real v_dot_h) {
+    real3 f_d = slot_fresnel(real3(view.surface.dielectric_f0), real3(real(1.0)), v_dot_h);
+    real3 f_m = slot_fresnel(view.surface.base_color, view.surface.edge_tint, v_dot_h);
+    return f_d * view.dielectric_weight + f_m * view.metal_weight;
+}
+
 // d_v       [1/sr] D V, the same for both lobes
 // e_l       [0, 1] albedo of the specular lobe at n.l with F = 1; used by Kulla-Conty only
 BrdfValue conserving_light(BrdfView view, real d_v, real3 diffuse, real v_dot_h, real e_l) {
-    real3 f_d = slot_fresnel(real3(view.surface.dielectric_f0), real3(real(1.0)), v_dot_h);
-    real3 f_m = slot_fresnel(view.surface.base_color, view.surface.edge_tint, v_dot_h);
     BrdfValue value;
     value.diffuse = diffuse * view.k_d;
-    value.specular = (f_d * view.dielectric_weight + f_m * view.metal_weight) * d_v +
+    value.specular = conserving_specular_share(view, v_dot_h) * d_v +
                      view.added * slot_added_shape(e_l, view.e_average);
     return value;
 }

@@ -7,12 +7,18 @@ real3 cook_torrance_f0(BrdfView view) {
            view.surface.base_color * view.surface.metallic;
 }
 
+real3 cook_torrance_fresnel(BrdfView view, real v_dot_h) {
+    return slot_fresnel(cook_torrance_f0(view), view.surface.edge_tint, v_dot_h);
+}
+
+// What F leaves of the light that enters, before metal takes it.
+real3 cook_torrance_left(real3 f) { return slot_has_fresnel() ? real3(real(1.0)) - f : real3(real(1.0)); }
+
 // d_v  [1/sr] D V
 BrdfValue cook_torrance_light(BrdfView view, real d_v, real3 diffuse, real v_dot_h) {
-    real3 f = slot_fresnel(cook_torrance_f0(view), view.surface.edge_tint, v_dot_h);
-    real3 left = slot_has_fresnel() ? real3(real(1.0)) - f : real3(real(1.0));
+    real3 f = cook_torrance_fresnel(view, v_dot_h);
     BrdfValue value;
-    value.diffuse = diffuse * left * (real(1.0) - view.surface.metallic);
+    value.diffuse = diffuse * cook_torrance_left(f) * (real(1.0) - view.surface.metallic);
     value.specular = f * d_v;
     return value;
 }

@@ -29,6 +29,23 @@ BrdfValue brdf_light(BrdfView view, real n_dot_l, real n_dot_h, real v_dot_h, re
     return cook_torrance_light(view, d_v, diffuse, v_dot_h);
 }
 
+// What brdf_light's value is made of. G = 4 n.v n.l V; F is of the mixed F0 in either model, as `facet brdf` asks it.
+BrdfTerms brdf_terms(BrdfView view, real n_dot_l, real n_dot_h, real v_dot_h) {
+    BrdfSurface s = view.surface;
+    BrdfTerms terms;
+    terms.d = slot_distribution(n_dot_h, s.alpha);
+    terms.g = real(4.0) * view.n_dot_v * n_dot_l * slot_masking(view.n_dot_v, n_dot_l, s.roughness, s.alpha);
+    terms.f = cook_torrance_fresnel(view, v_dot_h);
+    if (slot_conserves()) {
+        terms.k_d = real3(view.k_d);
+        terms.k_s = conserving_specular_share(view, v_dot_h);
+    } else {
+        terms.k_d = cook_torrance_left(terms.f) * (real(1.0) - s.metallic);
+        terms.k_s = terms.f;
+    }
+    return terms;
+}
+
 // Split sum: (1/N) sum(L f cos / p) ~ irradiance / pi * diffuse + prefiltered radiance * specular   Karis 2013, Eq. 7
 BrdfValue brdf_environment(BrdfView view) {
     if (slot_conserves()) return conserving_environment(view);

@@ -1,5 +1,6 @@
 // Light on one surface point: every light, and the environment. Used by the lighting pass and the blend pass.
 #include "generated/brdf.glsl"
+#include "lib/shading_bounds.glsl"
 #include "light/directional.glsl"
 #include "light/point.glsl"
 #include "light/spot.glsl"
@@ -22,10 +23,6 @@ struct ShadePoint {
     float ao;
 };
 
-// Below this cosine the surface is seen edge on; a shading normal may even turn away.
-const float N_DOT_V_MIN = 1e-3;
-// Perceptual roughness where lights are points: keeps D within half floats. The reference takes 0 as a mirror.
-const float ROUGHNESS_MIN = 0.05;
 // A tile is this many pixels wide and high; frame/lighting/light_lists.h has the same number.
 const uint TILE_PX = 16u;
 

@@ -17,16 +17,25 @@ enum Unit : GLuint {
     metal_unit,
     depth_unit,
     emissive_unit,
-    ids_unit
+    ids_unit,
+    table_unit
 };
+
+void clear(const gl::Context& gl, const AovTarget& target) {
+    const std::array<float, 4> zero{};
+    gl.api().BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.name());
+    gl.api().ClearBufferfv(GL_COLOR, 0, zero.data());
+}
 
 }  // namespace
 
 base::Result<gl::Program> AovPass::make(const gl::Context& gl, tables::Aov aov) const {
+    const tables::AovRow& row = tables::row(aov);
     auto program =
         gl::build_program(gl, *sources_,
                           {"frame/full_screen.vert", "frame/aov/aov.frag",
-                           fmt::format("#define FACET_AOV {}\n", tables::row(aov).glsl)});
+                           fmt::format("#define FACET_AOV {}\n", row.glsl) +
+                               define("KEY_LIGHT", row.kind == tables::AovKind::key_light)});
     if (!program) return program;
     gl::bind_block(gl, *program, "ViewBlock", view_binding);
     gl::bind_sampler(gl, *program, "gbuffer_albedo", albedo_unit);
@@ -35,46 +44,38 @@ base::Result<gl::Program> AovPass::make(const gl::Context& gl, tables::Aov aov) 
     gl::bind_sampler(gl, *program, "gbuffer_depth", depth_unit);
     gl::bind_sampler(gl, *program, "gbuffer_emissive", emissive_unit);
     gl::bind_sampler(gl, *program, "gbuffer_ids", ids_unit);
+    gl::bind_sampler(gl, *program, "albedo_table", table_unit);
     return program;
 }
 
-base::Result<std::vector<AovTarget>> AovPass::make_targets(const gl::Context& gl,
-                                                           const std::vector<tables::Aov>& aovs,
-                                                           const GBuffer& gbuffer) const {
-    std::vector<AovTarget> targets;
-    for (const tables::Aov aov : aovs) {
-        AovTarget target;
-        target.aov = aov;
-        auto sum = gl::make_texture(gl, {.format = GL_RGBA32F, .size = gbuffer.spec.size});
-        if (!sum) return tl::unexpected(sum.error());
-        target.sum = std::move(*sum);
-        const std::array<const gl::Texture*, 1> colors = {&target.sum};
-        auto framebuffer = gl::make_framebuffer(gl, colors, &gbuffer.depth);
-        if (!framebuffer) return tl::unexpected(framebuffer.error());
-        target.framebuffer = std::move(*framebuffer);
-        targets.push_back(std::move(target));
-    }
-    return targets;
+base::Result<AovTarget> AovPass::make_target(const gl::Context& gl, tables::Aov aov,
+                                             const GBuffer& gbuffer) {
+    AovTarget target;
+    target.aov = aov;
+    auto sum = gl::make_texture(gl, {.format = GL_RGBA32F, .size = gbuffer.spec.size});
+    if (!sum) return tl::unexpected(sum.error());
+    target.sum = std::move(*sum);
+    const std::array<const gl::Texture*, 1> colors = {&target.sum};
+    auto framebuffer = gl::make_framebuffer(gl, colors, &gbuffer.depth);
+    if (!framebuffer) return tl::unexpected(framebuffer.error());
+    target.framebuffer = std::move(*framebuffer);
+    clear(gl, target);
+    return target;
 }
 
-void AovPass::clear(const gl::Context& gl, tables::Average average,
-                    const std::vector<AovTarget>& targets) const {
-    const std::array<float, 4> zero{};
-    for (const AovTarget& target : targets) {
-        if (tables::row(target.aov).average != average) continue;
-        gl.api().BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.name());
-        gl.api().ClearBufferfv(GL_COLOR, 0, zero.data());
-    }
+void clear(const gl::Context& gl, tables::Average average, const std::vector<AovTarget>& targets) {
+    for (const AovTarget& target : targets)
+        if (tables::row(target.aov).average == average) clear(gl, target);
 }
 
-base::Status AovPass::run(const gl::Context& gl, const GBuffer& gbuffer, tables::Average average,
-                          const gl::VertexArray& empty, math::Extent size,
+base::Status AovPass::run(const gl::Context& gl, const AovInputs& in, tables::Average average,
                           const std::vector<AovTarget>& targets) {
+    const GBuffer& gbuffer = in.gbuffer;
     for (const AovTarget& target : targets) {
         if (tables::row(target.aov).average != average) continue;
         const auto program = programs_.get(target.aov, [&](tables::Aov a) { return make(gl, a); });
         if (!program) return tl::unexpected(program.error());
-        gl::begin_draw(gl, target.framebuffer, size, **program,
+        gl::begin_draw(gl, target.framebuffer, gbuffer.spec.size, **program,
                        {.depth_func = GL_GREATER, .blend = gl::Blend::add});
         gl::bind_texture(gl, albedo_unit, GL_TEXTURE_2D, gbuffer.albedo, nullptr);
         gl::bind_texture(gl, normal_unit, GL_TEXTURE_2D, gbuffer.normal, nullptr);
@@ -82,7 +83,9 @@ base::Status AovPass::run(const gl::Context& gl, const GBuffer& gbuffer, tables:
         gl::bind_texture(gl, depth_unit, GL_TEXTURE_2D, gbuffer.depth, nullptr);
         gl::bind_texture(gl, emissive_unit, GL_TEXTURE_2D, gbuffer.emissive_nit, nullptr);
         gl::bind_texture(gl, ids_unit, GL_TEXTURE_2D, gbuffer.ids, nullptr);
-        gl::draw_full_screen(gl, empty);
+        gl::bind_texture(gl, table_unit, GL_TEXTURE_2D, in.environment.albedo_table,
+                         &in.environment.table_sampler);
+        gl::draw_full_screen(gl, in.empty);
     }
     return {};
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "frame/environment/environment_maps.h"
 #include "frame/gbuffer/gbuffer.h"
 #include "image/image.h"
 #include "tables/aovs.h"
@@ -17,19 +18,22 @@ struct AovTarget {
     gl::Framebuffer framebuffer;  ///< shares the G-buffer's depth
 };
 
+/// What an AOV is evaluated over. Everything outlives the call.
+struct AovInputs {
+    const GBuffer& gbuffer;
+    const EnvironmentMaps& environment;  ///< for its table of albedos
+    const gl::VertexArray& empty;
+};
+
 class AovPass {
 public:
     explicit AovPass(const gl::ShaderSources& sources) : sources_(&sources) {}
-    /// Makes targets that hold nothing yet; `gbuffer` outlives them.
-    [[nodiscard]] base::Result<std::vector<AovTarget>> make_targets(
-        const gl::Context& gl, const std::vector<tables::Aov>& aovs, const GBuffer& gbuffer) const;
-    /// Forgets what was added to the targets whose average is `average`.
-    void clear(const gl::Context& gl, tables::Average average,
-               const std::vector<AovTarget>& targets) const;
+    /// Makes a cleared target; `gbuffer` outlives it.
+    [[nodiscard]] static base::Result<AovTarget> make_target(const gl::Context& gl, tables::Aov aov,
+                                                             const GBuffer& gbuffer);
     /// Adds this frame's values to the targets whose average is `average`.
-    [[nodiscard]] base::Status run(const gl::Context& gl, const GBuffer& gbuffer,
-                                   tables::Average average, const gl::VertexArray& empty,
-                                   math::Extent size, const std::vector<AovTarget>& targets);
+    [[nodiscard]] base::Status run(const gl::Context& gl, const AovInputs& in,
+                                   tables::Average average, const std::vector<AovTarget>& targets);
 
 private:
     [[nodiscard]] base::Result<gl::Program> make(const gl::Context& gl, tables::Aov aov) const;
@@ -37,6 +41,9 @@ private:
     const gl::ShaderSources* sources_;
     Permutations<tables::Aov> programs_;
 };
+
+/// Begins the sums anew, of the targets whose average is `average`.
+void clear(const gl::Context& gl, tables::Average average, const std::vector<AovTarget>& targets);
 
 /// The AOV as f32 [height, width, channels of its row], rows from the top. Depth is +inf where no
 /// surface is.

@@ -13,6 +13,7 @@ struct GBufferSpec {
     math::Extent size;
     bool emissive = false;
     bool ids = false;
+    bool operator==(const GBufferSpec&) const = default;
 };
 
 /// 20 bytes a pixel: RGBA16 albedo (a: unlit), RG16 octahedral normal, RGBA8 metallic, roughness,

@@ -1,0 +1,47 @@
+// Keeps the inspection true of what is shown.
+// SPDX-License-Identifier: MIT
+#include "studio/prober.h"
+
+#include "render/job.h"
+#include "render/plan.h"
+
+#include <utility>
+
+namespace facet::studio {
+namespace {
+
+void pick(Stage& stage, Editor& editor, math::Vec2 at_px) {
+    const auto probed = stage.probe(at_px);
+    if (!probed) return editor.complain(probed.error());
+    for (const Probed& value : *probed)
+        if (value.aov == tables::Aov::material_id && value.value.x > 0.0F)
+            editor.material = static_cast<std::size_t>(value.value.x) - 1;
+}
+
+}  // namespace
+
+void Prober::look_at_picture(const gl::Context& gl, const Stage& stage, Editor& editor,
+                             UiRenderer& pictures, Inspection& inspection) {
+    if (!stage.is_finished() || stage.shown_count() == seen_count_) return;
+    seen_count_ = stage.shown_count();
+    inspection.histogram = histogram(stage.shown());
+    if (auto s = pictures.upload(gl, Slot::overlay, clipping_overlay(stage.shown())); !s)
+        editor.complain(s.error());
+    probed_px_.reset();
+}
+
+void Prober::update(const gl::Context& gl, Stage& stage, Editor& editor, UiRenderer& pictures,
+                    Inspection& inspection) {
+    look_at_picture(gl, stage, editor, pictures, inspection);
+    if (const auto at_px = std::exchange(editor.wanted.pick_px, std::nullopt))
+        pick(stage, editor, *at_px);
+    const auto at_px = std::exchange(editor.wanted.probe_px, std::nullopt);
+    if (!at_px || !stage.is_finished() || probed_px_ == at_px) return;
+    probed_px_ = at_px;
+    auto probed = stage.probe(*at_px);
+    if (!probed) return editor.complain(probed.error());
+    const math::Vec3 eye_m(stage.job().camera.world_from_view[3]);
+    inspection.pixel = facts_of(*at_px, std::move(*probed), eye_m, stage.plan().brdf);
+}
+
+}  // namespace facet::studio
