@@ -152,7 +152,10 @@ void Commands::act_view(Action action) {
         editor.look_from(orbit, tools_.stage.job().camera.yfov_rad);
     };
     if (action == Action::frame_selected) frame_selected();
-    if (action == Action::view_home) editor.document.settings.camera = editor.opened.camera;
+    if (action == Action::view_home) {
+        editor.document.settings.camera = editor.opened.camera;
+        editor.document.settings.fov = editor.opened.fov;  // look_from() kept another camera's
+    }
     if (action == Action::view_front) from(0.0F, 0.0F);
     if (action == Action::view_right) from(90.0F, 0.0F);
     if (action == Action::view_top) from(0.0F, 90.0F);
@@ -224,17 +227,25 @@ void Commands::keep_work() {
     kept_ = editor.document.settings;
 }
 
-void Commands::look_at_files() {
+bool Commands::sees_changes() {
     const auto now = std::chrono::steady_clock::now();
-    if (now - looked_ < look_every) return;
-    looked_ = now;
-    if (shader_files_.has_changed()) {
+    if (!tools_.steady && now - looked_ >= look_every) {
+        looked_ = now;
+        shaders_changed_ = shader_files_.has_changed() || shaders_changed_;
+        scene_changed_ = scene_files_.has_changed() || scene_changed_;
+    }
+    return shaders_changed_ || scene_changed_;
+}
+
+void Commands::look_at_files() {
+    if (!sees_changes()) return;
+    if (std::exchange(shaders_changed_, false)) {
         if (auto s = tools_.stage.reload_shaders(); !s)
             tools_.editor.complain(s.error());
         else
             tools_.editor.say(Message::Kind::note, tools_.ui.t("studio.shaders_reloaded"));
     }
-    if (!scene_files_.has_changed()) return;
+    if (!std::exchange(scene_changed_, false)) return;
     // The document stays: edits are laid over what the file says now.
     if (auto s = tools_.stage.open(tools_.editor.document, tools_.steady); !s)
         return tools_.editor.complain(s.error());
@@ -263,7 +274,7 @@ void Commands::update() {
     }
     keep_work();
     take_child();
-    if (!tools_.steady) look_at_files();
+    look_at_files();
 }
 
 bool Commands::may_close() {

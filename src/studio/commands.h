@@ -47,6 +47,8 @@ public:
     void discard() { recovery_.drop(); }
     /// Seconds until update() has something to look at.
     [[nodiscard]] bool is_busy() const { return child_.has_value(); }
+    /// Some file was written since it was read: update() will do something about it.
+    [[nodiscard]] bool sees_changes();
 
 private:
     enum class Closing { no, asked, yes };
@@ -80,6 +82,8 @@ private:
     Watch scene_files_;
     Watch shader_files_;
     std::chrono::steady_clock::time_point looked_{};
+    bool scene_changed_ = false;
+    bool shaders_changed_ = false;
     std::optional<Child> child_;
     std::filesystem::path child_output_;
     Closing closing_ = Closing::no;

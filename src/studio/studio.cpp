@@ -95,7 +95,7 @@ private:
     Theme theme_ = Theme::dark;
     math::Extent area_px_;
     std::uint32_t frame_ = 0;
-    std::uint32_t calm_frames_ = 0;  ///< since something happened
+    std::uint32_t calm_frames_ = 0;  ///< drawn since something happened
     Clock::time_point last_change_{};
     Clock::time_point last_frame_{};
     std::optional<std::filesystem::path> shot_;  ///< of the frame being drawn
@@ -297,14 +297,16 @@ double Studio::wait_s() const {
 base::Status Studio::run() {
     while (!is_over()) {
         screen_->poll(input_, wait_s());
-        calm_frames_ = input_.is_idle() ? calm_frames_ + 1 : 0;
+        if (!input_.is_idle() || !stage_->is_finished() || !truth_->is_quiet()) calm_frames_ = 0;
         const auto played = player_.play(input_, *ui_, is_settled(),
                                          [this](const ScriptStep& step) { return act(step); });
         if (!played) return played;
         ++frame_;
         if (request_.frames > 0 && frame_ == request_.frames && !request_.shot.empty())
             shot_ = request_.shot;
-        if (input_.window_px.pixels() == 0) continue;  // an iconified window
+        if (input_.window_px.pixels() == 0) continue;                    // an iconified window
+        if (wait_s() == idle_s && !commands_->sees_changes()) continue;  // nothing to draw
+        ++calm_frames_;
         if (auto s = draw_frame(); !s) return s;
     }
     commands_->discard();
