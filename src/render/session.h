@@ -40,7 +40,10 @@ public:
     void lay_over_background(image::Image& radiance, double exposure) const;
     /// Beauty as radiance in nit, over the background colour where one is named.
     [[nodiscard]] image::Layer read_beauty(double exposure, std::uint32_t count) const;
-    [[nodiscard]] std::vector<image::Layer> read_aovs(std::uint32_t count) const;
+    /// Likewise `background` among AOVs, where `radiance` is what the picture is of itself.
+    void lay_over_background(std::vector<image::Layer>& aovs, const image::Image& radiance,
+                             double exposure) const;
+    [[nodiscard]] std::vector<image::Layer> read_aovs(double exposure, std::uint32_t count) const;
 
     /// Changes which further outputs there are, from the next frame on, which is sample 0. Nothing
     /// that is compiled is compiled again. draw() gives those that are averaged,
@@ -60,6 +63,8 @@ private:
     Session(const Plan& plan, base::ThreadPool& pool) : plan_(&plan), pool_(&pool) {}
     [[nodiscard]] frame::DisplaySettings display_settings(double exposure,
                                                           std::uint32_t count) const;
+    /// Beauty as radiance in nit, of itself: with its coverage.
+    [[nodiscard]] image::Image read_mean(std::uint32_t count) const;
     [[nodiscard]] base::Status upload(const tables::Settings& settings, base::Warnings& warnings);
 
     const Plan* plan_;
