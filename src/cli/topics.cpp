@@ -74,7 +74,11 @@ std::string aovs() {
         "STEM.NAME.png. Ids and depth are never averaged.\n\n"
         "The key light is the first --light; else the light that lights the middle of the scene "
         "most; else the\n"
-        "side that the environment's light comes from (its mean direction).\n\n";
+        "side that the environment's light comes from (its mean direction).\n\n"
+        "Light paths add up to the beauty before tone mapping. Direct is from lights and, in the "
+        "reference, from\n"
+        "meshes that emit; the environment is indirect. Side files of them have the picture's "
+        "exposure.\n\n";
     for (const auto& row : tables::aovs)
         out += fmt::format("  {:<17} {:<5} {}\n", row.key, row.channels, row.help);
     return out;

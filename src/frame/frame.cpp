@@ -10,14 +10,8 @@
 namespace facet::frame {
 namespace {
 
-bool wants_ids(const std::vector<tables::Aov>& aovs) {
-    return std::any_of(aovs.begin(), aovs.end(), [](tables::Aov aov) {
-        return aov == tables::Aov::object_id || aov == tables::Aov::material_id;
-    });
-}
-
-bool wants_emissive(const std::vector<tables::Aov>& aovs) {
-    return std::find(aovs.begin(), aovs.end(), tables::Aov::emissive) != aovs.end();
+bool wants(const std::vector<tables::Aov>& aovs, tables::Aov aov) {
+    return std::find(aovs.begin(), aovs.end(), aov) != aovs.end();
 }
 
 /// Indices of the draws, near to far: what is behind is then rejected by depth before it is shaded.
@@ -77,10 +71,12 @@ base::Status Frame::resize(const gl::Context& gl, const FrameSpec& spec) {
 
 base::Status Frame::make_targets(const gl::Context& gl) {
     const GBufferSpec wanted{.size = size(),
-                             .emissive = spec_.emissive || wants_emissive(spec_.aovs),
-                             .ids = wants_ids(spec_.aovs)};
+                             .emissive = spec_.emissive || wants(spec_.aovs, tables::Aov::emissive),
+                             .ids = wants(spec_.aovs, tables::Aov::object_id) ||
+                                    wants(spec_.aovs, tables::Aov::material_id)};
     if (wanted == gbuffer_.spec) return {};
     aov_targets_.clear();  // they share the old one's depth
+    light_paths_.reset();
     auto gbuffer = GBuffer::create(gl, wanted);
     if (!gbuffer) return tl::unexpected(gbuffer.error());
     gbuffer_ = std::move(*gbuffer);
@@ -93,6 +89,7 @@ base::Status Frame::make_targets(const gl::Context& gl) {
 base::Status Frame::set_aovs(const gl::Context& gl, std::vector<tables::Aov> aovs) {
     spec_.aovs = std::move(aovs);
     if (auto made = make_targets(gl); !made) return made;
+    if (auto made = make_light_paths(gl); !made) return made;
     std::vector<AovTarget> old = std::exchange(aov_targets_, {});
     for (const tables::Aov aov : spec_.aovs) {
         const auto kept = std::find_if(old.begin(), old.end(),
@@ -107,6 +104,16 @@ base::Status Frame::set_aovs(const gl::Context& gl, std::vector<tables::Aov> aov
         aov_targets_.push_back(std::move(*made));
     }
     return gl.check("aov targets");
+}
+
+base::Status Frame::make_light_paths(const gl::Context& gl) {
+    auto paths = tables::of_kind(spec_.aovs, tables::AovKind::light_path);
+    if (paths.empty()) light_paths_.reset();
+    if (paths.empty() || (light_paths_ && light_paths_->paths == paths)) return {};
+    auto made = LightPathTarget::create(gl, std::move(paths), size(), gbuffer_.depth);
+    if (!made) return tl::unexpected(made.error());
+    light_paths_ = std::move(*made);
+    return {};
 }
 
 void Frame::set_view(const gl::Context& gl, const FrameInputs& in,
@@ -146,26 +153,40 @@ void Frame::update_light_lists(const gl::Context& gl, const FrameInputs& in,
         build_light_lists(in.lights, view.clip_from_world, size, depths ? &*depths : nullptr));
 }
 
+base::Status Frame::draw_opaque(const gl::Context& gl, const FrameInputs& in,
+                                const ShadeInputs& shade, const DrawTarget& out,
+                                const gl::Framebuffer* background) {
+    if (auto s = lighting_pass_.run(gl, gbuffer_, shade, empty_, out); !s) return s;
+    if (background == nullptr || in.background.kind != BackgroundKind::environment) return {};
+    return background_pass_.run(gl, in.environment, empty_, {*background, out.size});
+}
+
 base::Status Frame::draw_light(const gl::Context& gl, const FrameInputs& in,
                                const shared::View& view,
                                const std::vector<std::size_t>& far_to_near) {
     const ShadeInputs shade{upload_lights(gl, in), in.environment, light_buffers_};
     if (shade.key.local_lights) update_light_lists(gl, in, view, true);
-    const bool shows_environment = in.background.kind == BackgroundKind::environment;
-    if (!shows_environment) {
-        const std::array<float, 4> clear{};
-        gl.api().BindFramebuffer(GL_FRAMEBUFFER, radiance_.framebuffer.name());
-        gl.api().ClearBufferfv(GL_COLOR, 0, clear.data());
+    if (in.background.kind != BackgroundKind::environment) radiance_.clear(gl);
+    const gl::Framebuffer& beauty = radiance_.framebuffer;
+    if (auto s = draw_opaque(gl, in, shade, radiance_.target(), &beauty); !s) return s;
+    ShadeInputs apart = shade;
+    if (light_paths_) {
+        apart.key.paths = light_paths_->paths;
+        light_paths_->light.clear(gl);
+        const gl::Framebuffer* background =
+            light_paths_->background ? &*light_paths_->background : nullptr;
+        if (auto s = draw_opaque(gl, in, apart, light_paths_->light.target(), background); !s)
+            return s;
     }
-    if (auto s = lighting_pass_.run(gl, gbuffer_, shade, empty_, radiance_); !s) return s;
-    if (shows_environment)
-        if (auto s = background_pass_.run(gl, in.environment, empty_, radiance_); !s) return s;
     const bool any_blended = std::any_of(in.scene.draws.begin(), in.scene.draws.end(),
                                          [](const Draw& draw) { return draw.blended; });
     if (!any_blended) return {};
     // What is blended lies before the depth that the lists were culled by.
     if (shade.key.local_lights) update_light_lists(gl, in, view, false);
-    return blend_pass_.run(gl, in.scene, far_to_near, shade, radiance_);
+    if (auto s = blend_pass_.run(gl, in.scene, far_to_near, shade, radiance_.target()); !s)
+        return s;
+    if (!light_paths_) return {};
+    return blend_pass_.run(gl, in.scene, far_to_near, apart, light_paths_->light.target());
 }
 
 base::Status Frame::draw(const gl::Context& gl, const FrameInputs& in, std::uint32_t index,
@@ -182,9 +203,7 @@ base::Status Frame::draw(const gl::Context& gl, const FrameInputs& in, std::uint
     std::reverse(order.begin(), order.end());
     if (auto s = draw_light(gl, in, view, order); !s) return s;
     clock.add_to(&passes.lighting);
-    if (index == 0) clear(gl, tables::Average::mean, aov_targets_);
-    const AovInputs aov_inputs{gbuffer_, in.environment, empty_};
-    if (auto s = aov_pass_.run(gl, aov_inputs, tables::Average::mean, aov_targets_); !s) return s;
+    if (auto s = add_aovs(gl, in, index); !s) return s;
     if (count > 1) {
         if (!accumulator_) {
             auto made = Accumulator::create(gl, size());
@@ -192,10 +211,21 @@ base::Status Frame::draw(const gl::Context& gl, const FrameInputs& in, std::uint
             accumulator_ = std::move(*made);
         }
         if (index == 0) accumulator_->clear(gl);
-        accumulate_pass_.run(gl, radiance_.radiance, empty_, *accumulator_);
+        accumulate_pass_.run(gl, radiance_.colors.front(), empty_, accumulator_->framebuffer,
+                             size());
     }
     clock.add_to(&passes.post);
     return gl.check("frame");
+}
+
+base::Status Frame::add_aovs(const gl::Context& gl, const FrameInputs& in, std::uint32_t index) {
+    if (index == 0) clear(gl, tables::Average::mean, aov_targets_);
+    if (light_paths_)
+        for (std::size_t i = 0; i < light_paths_->paths.size(); ++i)
+            accumulate_pass_.run(gl, light_paths_->light.colors[i], empty_,
+                                 aov_target(light_paths_->paths[i])->framebuffer, size());
+    return aov_pass_.run(gl, {gbuffer_, in.environment, empty_}, tables::Average::mean,
+                         aov_targets_);
 }
 
 base::Status Frame::draw_centered_aovs(const gl::Context& gl, const FrameInputs& in) {
@@ -210,8 +240,9 @@ base::Status Frame::draw_centered_aovs(const gl::Context& gl, const FrameInputs&
         return s;
     gl.texture_barrier();
     clear(gl, tables::Average::nearest, aov_targets_);
-    const AovInputs aov_inputs{gbuffer_, in.environment, empty_};
-    if (auto s = aov_pass_.run(gl, aov_inputs, tables::Average::nearest, aov_targets_); !s)
+    if (auto s = aov_pass_.run(gl, {gbuffer_, in.environment, empty_}, tables::Average::nearest,
+                               aov_targets_);
+        !s)
         return s;
     return gl.check("aovs");
 }
@@ -220,7 +251,7 @@ const gl::Framebuffer& Frame::sum_framebuffer(std::uint32_t count) const {
     return count > 1 ? accumulator_->framebuffer : radiance_.framebuffer;
 }
 const gl::Texture& Frame::sum_texture(std::uint32_t count) const {
-    return count > 1 ? accumulator_->sum : radiance_.radiance;
+    return count > 1 ? accumulator_->sum : radiance_.colors.front();
 }
 
 base::Status Frame::display(const gl::Context& gl, const DisplaySettings& settings) {

@@ -7,6 +7,7 @@
 #include "frame/blend/blend.h"
 #include "frame/environment/environment_maps.h"
 #include "frame/gbuffer/gbuffer.h"
+#include "frame/lighting/light_paths.h"
 #include "frame/lighting/lighting.h"
 #include "frame/output/output.h"
 #include "frame/upload/gpu_scene.h"
@@ -54,8 +55,8 @@ public:
     /// Other targets of another size; programs stay, AOV targets and sums are empty again. Errors:
     /// limit_reached.
     [[nodiscard]] base::Status resize(const gl::Context& gl, const FrameSpec& spec);
-    /// Changes which further outputs there are, from the next frame on, which is sample 0. Programs
-    /// are kept, and targets that stay. Errors: internal.
+    /// Changes which further outputs there are, from the next frame on, which is sample 0; no row
+    /// twice. Programs are kept, and targets that stay. Errors: internal.
     [[nodiscard]] base::Status set_aovs(const gl::Context& gl, std::vector<tables::Aov> aovs);
 
     /// Draws sample `index` of `count` and adds it, unless it is the only one. Sample 0 begins all
@@ -105,12 +106,21 @@ private:
 
     /// The G-buffer, and what shares its depth: as the AOVs need them.
     [[nodiscard]] base::Status make_targets(const gl::Context& gl);
+    [[nodiscard]] base::Status make_light_paths(const gl::Context& gl);
     [[nodiscard]] const AovTarget* aov_target(tables::Aov aov) const;
+    /// Adds the averaged AOVs of the frame just drawn to their sums.
+    [[nodiscard]] base::Status add_aovs(const gl::Context& gl, const FrameInputs& in,
+                                        std::uint32_t index);
     void set_view(const gl::Context& gl, const FrameInputs& in, const shared::View& camera_view);
     [[nodiscard]] ShadeKey upload_lights(const gl::Context& gl, const FrameInputs& in);
     /// `opaque`: for the surfaces of the G-buffer, whose depth leaves out lights.
     void update_light_lists(const gl::Context& gl, const FrameInputs& in, const shared::View& view,
                             bool opaque);
+    /// Surfaces of the G-buffer into `out`, and into `background` what shows beside them, unless it
+    /// is null.
+    [[nodiscard]] base::Status draw_opaque(const gl::Context& gl, const FrameInputs& in,
+                                           const ShadeInputs& shade, const DrawTarget& out,
+                                           const gl::Framebuffer* background);
     [[nodiscard]] base::Status draw_light(const gl::Context& gl, const FrameInputs& in,
                                           const shared::View& view,
                                           const std::vector<std::size_t>& far_to_near);
@@ -127,6 +137,7 @@ private:
     RadianceTarget radiance_;
     std::optional<Accumulator> accumulator_;
     std::vector<AovTarget> aov_targets_;
+    std::optional<LightPathTarget> light_paths_;  ///< where AOVs ask for one
     LightBuffers light_buffers_;
     gl::Buffer view_block_;
     gl::VertexArray empty_;

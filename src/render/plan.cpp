@@ -8,6 +8,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -163,7 +164,9 @@ base::Status plan_aovs(const tables::Settings& settings, Plan& plan) {
         }
         const auto aov = choose("--aov", name, names);
         if (!aov) return tl::unexpected(aov.error());
-        plan.aovs.push_back(static_cast<tables::Aov>(*aov));
+        const auto one = static_cast<tables::Aov>(*aov);
+        if (std::find(plan.aovs.begin(), plan.aovs.end(), one) == plan.aovs.end())
+            plan.aovs.push_back(one);
     }
     return {};
 }
@@ -215,14 +218,16 @@ base::Status plan_machine(const tables::Settings& settings, Plan& plan) {
 /// What the frame's targets and their copies take, a pixel: G-buffer 20, radiance and sum 16 each,
 /// display 8, and what is read back of them.
 constexpr std::uint64_t frame_bytes = 80;
-constexpr std::uint64_t aov_bytes = 48;  // target, read-back and layer
+constexpr std::uint64_t aov_bytes = 48;   // target, read-back and layer
+constexpr std::uint64_t path_bytes = 24;  // a light path's beside that: one frame's, or the film's
 constexpr std::uint64_t film_bytes =
     96;  // sums, their mean, and its copies for the GL and the file
 
 base::Status check_memory(const tables::Settings& settings, Plan& plan) {
     const std::uint64_t pixels = plan.region.size.pixels();
-    const std::uint64_t needed =
-        pixels * (frame_bytes + aov_bytes * plan.aovs.size() + (plan.reference ? film_bytes : 0));
+    const std::size_t paths = tables::of_kind(plan.aovs, tables::AovKind::light_path).size();
+    const std::uint64_t needed = pixels * (frame_bytes + aov_bytes * plan.aovs.size() +
+                                           path_bytes * paths + (plan.reference ? film_bytes : 0));
     if (needed <= plan.limits.memory_bytes) return {};
     return base::fail({.code = ErrorCode::limit_reached,
                        .file = "--size",

@@ -28,6 +28,20 @@ image::Picture picture_of(const image::Image& display) {
             .format = tables::ImageFormat::png};
 }
 
+/// Layers in the order of `aovs`, from those that are light paths and those that are not.
+std::vector<image::Layer> in_order(const std::vector<tables::Aov>& aovs,
+                                   std::vector<image::Layer> paths,
+                                   std::vector<image::Layer> others) {
+    std::vector<image::Layer> out;
+    std::size_t path = 0;
+    std::size_t other = 0;
+    for (const tables::Aov aov : aovs)
+        out.push_back(std::move(tables::row(aov).kind == tables::AovKind::light_path
+                                    ? paths[path++]
+                                    : others[other++]));
+    return out;
+}
+
 }  // namespace
 
 base::Result<image::Image> compare_displayed(const image::Image& raster,
@@ -68,18 +82,21 @@ base::Result<Reference> trace_reference(const Session& session, const Request& r
          .key_light = key_light(job, plan.aovs)},
         plan.limits, pool);
     if (!tracer) return tl::unexpected(tracer.error());
-    const trace::TraceSettings settings{.picture = plan.picture,
-                                        .x = plan.region.x,
-                                        .y = plan.region.y,
-                                        .size = plan.region.size,
-                                        .samples = plan.reference->samples,
-                                        .noise = plan.reference->noise,
-                                        .exposure = exposure,
-                                        .time_s = plan.reference->time_s,
-                                        .seed = request.settings.seed};
+    const trace::TraceSettings settings{
+        .picture = plan.picture,
+        .x = plan.region.x,
+        .y = plan.region.y,
+        .size = plan.region.size,
+        .samples = plan.reference->samples,
+        .noise = plan.reference->noise,
+        .exposure = exposure,
+        .time_s = plan.reference->time_s,
+        .seed = request.settings.seed,
+        .light_paths = tables::of_kind(plan.aovs, tables::AovKind::light_path)};
     trace::Traced traced = tracer->trace(settings, pool, progress);
     Reference reference{.radiance = std::move(traced.radiance),
-                        .aovs = tracer->aovs(settings, plan.aovs, pool)};
+                        .aovs = in_order(plan.aovs, std::move(traced.light_paths),
+                                         tracer->aovs(settings, plan.aovs, pool))};
     warn(traced, out.warnings);
     out.reference = ReferenceReport{.samples = traced.samples,
                                     .noise = traced.noise,

@@ -86,6 +86,7 @@ base::Status draw_reference(Session& session, const Request& request, const Plan
     auto reference =
         trace_reference(session, request, plan, out.exposure, tools.pool, tools.progress, out);
     if (!reference) return tl::unexpected(reference.error());
+    session.lay_over_background(reference->aovs, reference->radiance, out.exposure);
     if (auto s = deliver(session, request.want_linear, std::move(reference->radiance), out); !s)
         return s;
     if (request.settings.compare)
@@ -107,7 +108,8 @@ base::Status draw_raster(Session& session, const Request& request, const Plan& p
         out.display = session.read_display();
     }
     if (auto drawn = session.draw_centered_aovs(); !drawn) return drawn;
-    for (image::Layer& layer : session.read_aovs(count)) out.layers.push_back(std::move(layer));
+    for (image::Layer& layer : session.read_aovs(out.exposure, count))
+        out.layers.push_back(std::move(layer));
     return {};
 }
 

@@ -144,19 +144,38 @@ void Session::set_lights(std::span<const scene::Light> lights) {
     key_light_.reset();
 }
 
-image::Layer Session::read_beauty(double exposure, std::uint32_t count) const {
-    image::Layer layer{
-        .name = "",
-        .channels = {"R", "G", "B", "A"},
-        .image = frame::read_radiance(*gl_, frame_->sum_framebuffer(count), frame_->size())};
+image::Image Session::read_mean(std::uint32_t count) const {
+    image::Image mean = frame::read_radiance(*gl_, frame_->sum_framebuffer(count), frame_->size());
     const float share = 1.0F / static_cast<float>(count);
-    for (float& value : layer.image.as<float>()) value *= share;
+    for (float& value : mean.as<float>()) value *= share;
+    return mean;
+}
+
+image::Layer Session::read_beauty(double exposure, std::uint32_t count) const {
+    image::Layer layer{.name = "", .channels = {"R", "G", "B", "A"}, .image = read_mean(count)};
     lay_over_background(layer.image, exposure);
     return layer;
 }
 
-std::vector<image::Layer> Session::read_aovs(std::uint32_t count) const {
-    return frame_->read_aovs(*gl_, count);
+void Session::lay_over_background(std::vector<image::Layer>& aovs, const image::Image& radiance,
+                                  double exposure) const {
+    if (plan_.background.kind != frame::BackgroundKind::color) return;
+    const math::Vec3 under = plan_.background.color / static_cast<float>(exposure);
+    const auto beauty = radiance.as<float>();
+    for (image::Layer& layer : aovs) {
+        if (layer.name != tables::row(tables::Aov::background).key) continue;
+        const auto values = layer.image.as<float>();
+        for (std::size_t i = 0; i < values.size(); ++i)
+            values[i] += under[static_cast<int>(i % 3)] * (1.0F - beauty[i / 3 * 4 + 3]);
+    }
+}
+
+std::vector<image::Layer> Session::read_aovs(double exposure, std::uint32_t count) const {
+    std::vector<image::Layer> layers = frame_->read_aovs(*gl_, count);
+    const bool is_laid = plan_.background.kind == frame::BackgroundKind::color &&
+                         frame_->aov_texture(tables::Aov::background) != nullptr;
+    if (is_laid) lay_over_background(layers, read_mean(count), exposure);
+    return layers;
 }
 
 }  // namespace facet::render

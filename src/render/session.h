@@ -63,7 +63,10 @@ public:
     void lay_over_background(image::Image& radiance, double exposure) const;
     /// Beauty as radiance in nit, over the background colour where one is named.
     [[nodiscard]] image::Layer read_beauty(double exposure, std::uint32_t count) const;
-    [[nodiscard]] std::vector<image::Layer> read_aovs(std::uint32_t count) const;
+    /// Likewise `background` among AOVs, where `radiance` is what the picture is of itself.
+    void lay_over_background(std::vector<image::Layer>& aovs, const image::Image& radiance,
+                             double exposure) const;
+    [[nodiscard]] std::vector<image::Layer> read_aovs(double exposure, std::uint32_t count) const;
 
     /// Returns when every pixel drawn so far is complete.
     void finish() const { gl_->finish(); }
@@ -75,6 +78,8 @@ private:
                                                           std::uint32_t count) const;
     [[nodiscard]] frame::FrameSpec frame_spec() const;
     [[nodiscard]] frame::Filtering filtering() const;
+    /// Beauty as radiance in nit, of itself: with its coverage.
+    [[nodiscard]] image::Image read_mean(std::uint32_t count) const;
     /// The parts of the upload; each from job_, settings_ and plan_.
     [[nodiscard]] base::Status upload_environment(base::Warnings& warnings);
     [[nodiscard]] base::Status make_frame();

@@ -221,7 +221,7 @@ base::Status Stage::show(const Scenery& scenery, UiRenderer& pictures) {
         pictures.show(Slot::viewport, session_->display_texture());
         return {};
     }
-    auto layers = session_->read_aovs(drawn_);
+    auto layers = session_->read_aovs(exposure_, drawn_);
     const image::Layer sum = sum_of(layers);
     pictures.hide(Slot::viewport);
     return pictures.upload(tools_.gl, Slot::viewport,

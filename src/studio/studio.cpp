@@ -287,8 +287,8 @@ bool Studio::is_over() {
 }
 
 double Studio::wait_s() const {
-    const bool busy = !stage_->is_finished() || !player_.is_done() || request_.frames > 0 ||
-                      calm_frames_ < 3 || !editor_.history.is_sealed();
+    const bool busy = !stage_->is_finished() || !player_.is_done() || shot_ ||
+                      request_.frames > 0 || calm_frames_ < 3 || !editor_.history.is_sealed();
     if (busy) return 0.0;
     if (ImGui::GetIO().WantTextInput) return caret_s;
     return commands_->is_busy() || !truth_->is_quiet() ? soon_s : idle_s;

@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace facet::tables {
 
@@ -21,8 +22,9 @@ enum class Average { mean, nearest };
 /// How a value becomes 0..1 in a PNG side file; `compressed` is x / (1 + x), for what has no end,
 /// `exposed` the picture's exposure times x.
 enum class PngCode { clamp, signed_unit, range, id_color, compressed, exposed };
-/// What a value is of: the surface alone, or its BRDF in the light of the key light.
-enum class AovKind { surface, key_light };
+/// What a value is of: the surface alone, its BRDF in the light of the key light, or the light that
+/// came one way. The last kind's rows add up to the beauty.
+enum class AovKind { surface, key_light, light_path };
 
 /// One row of aovs.def.
 struct AovRow {
@@ -44,6 +46,12 @@ inline constexpr auto aovs = std::to_array<AovRow>({
     for (std::size_t i = 0; i < aovs.size(); ++i)
         if (aovs[i].key == key) return static_cast<Aov>(i);
     return std::nullopt;
+}
+[[nodiscard]] inline std::vector<Aov> of_kind(std::span<const Aov> chosen, AovKind kind) {
+    std::vector<Aov> out;
+    for (const Aov aov : chosen)
+        if (row(aov).kind == kind) out.push_back(aov);
+    return out;
 }
 [[nodiscard]] constexpr bool any_of_kind(std::span<const Aov> chosen, AovKind kind) {
     for (const Aov aov : chosen)

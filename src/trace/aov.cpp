@@ -128,7 +128,11 @@ private:
 
 std::vector<image::Layer> trace_aovs(const World& world, const CameraRays& camera,
                                      const TraceSettings& settings,
-                                     const std::vector<tables::Aov>& aovs, base::ThreadPool& pool) {
+                                     const std::vector<tables::Aov>& asked,
+                                     base::ThreadPool& pool) {
+    std::vector<tables::Aov> aovs;
+    for (const tables::Aov aov : asked)
+        if (tables::row(aov).kind != tables::AovKind::light_path) aovs.push_back(aov);
     std::vector<image::Layer> layers;
     for (const tables::Aov aov : aovs) {
         const tables::AovRow& row = tables::row(aov);

@@ -30,11 +30,13 @@ struct AovSurface {
     float v_dot_h = 0.0F;
     Lobes::BrdfTerms brdf{};
 };
-[[nodiscard]] math::Vec3 aov_value(tables::Aov aov, const AovSurface& surface);
+/// Of one row: rows that are light paths are of `paths`, the others of `surface`.
+[[nodiscard]] math::Vec3 aov_value(tables::Aov aov, const AovSurface& surface,
+                                   const LightPaths& paths = {});
 
 /// One f32 layer an AOV. Rows averaged by mean take `settings.samples` rays, 16 at most, the others
 /// one through the pixel's centre; where nothing is met the value is 0, and infinite for depth.
-/// Blended surfaces are passed, as the G-buffer leaves them out.
+/// Blended surfaces are passed, as the G-buffer leaves them out. Light paths are Film's, not ours.
 [[nodiscard]] std::vector<image::Layer> trace_aovs(const World& world, const CameraRays& camera,
                                                    const TraceSettings& settings,
                                                    const std::vector<tables::Aov>& aovs,

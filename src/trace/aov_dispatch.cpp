@@ -4,7 +4,7 @@
 
 namespace facet::trace {
 
-math::Vec3 aov_value(tables::Aov aov, const AovSurface& surface) {
+math::Vec3 aov_value(tables::Aov aov, const AovSurface& surface, const LightPaths& paths) {
     using vec3 = math::Vec3;  // GLSL's name, for the table's text
     switch (aov) {
 #define AOV(name, value, ...) \

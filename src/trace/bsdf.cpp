@@ -67,24 +67,31 @@ Bsdf::Bsdf(const Model& model, const Surface& surface, const Vec3& to_eye)
     is_mirror_ = view_.surface.alpha < mirror_alpha_max;
 }
 
-Lobes::BrdfValue Bsdf::values(Lobes terms, float n_dot_l, float n_dot_h, float v_dot_h) const {
+Lobes::BrdfValue Bsdf::values(Lobes terms, const Cosines& at) const {
     float e_l = 1.0F;
     if (model_->needs_e_l) {
-        const Lobes::real4 texel = model_->albedo(n_dot_l, view_.surface.roughness);
+        const Lobes::real4 texel = model_->albedo(at.n_dot_l, view_.surface.roughness);
         e_l = texel.x + texel.y;
     }
-    return terms.brdf_light(view_, n_dot_l, n_dot_h, v_dot_h, e_l);
+    return terms.brdf_light(view_, at.n_dot_l, at.n_dot_h, at.v_dot_h, e_l);
+}
+
+bool Bsdf::cosines(const Vec3& to_light, Cosines& out) const {
+    const float n_dot_l = math::dot(n_, to_light);
+    if (n_dot_l <= 0.0F || math::dot(face_normal_, to_light) <= 0.0F) return false;
+    const Vec3 sum = to_eye_ + to_light;
+    const Vec3 h = sum / std::sqrt(std::max(math::dot(sum, sum), 1e-12F));
+    out.n_dot_h = std::clamp(math::dot(n_, h), 0.0F, 1.0F);
+    out.v_dot_h = std::clamp(math::dot(to_eye_, h), 0.0F, 1.0F);
+    out.n_dot_l = std::min(n_dot_l, 1.0F);
+    return true;
 }
 
 Scattered Bsdf::evaluate(const Vec3& to_light) const {
-    const float n_dot_l = math::dot(n_, to_light);
-    if (n_dot_l <= 0.0F || math::dot(face_normal_, to_light) <= 0.0F) return {};
-    const Vec3 sum = to_eye_ + to_light;
-    const Vec3 h = sum / std::sqrt(std::max(math::dot(sum, sum), 1e-12F));
-    const float n_dot_h = std::clamp(math::dot(n_, h), 0.0F, 1.0F);
-    const float v_dot_h = std::clamp(math::dot(to_eye_, h), 0.0F, 1.0F);
-    const float cosine = std::min(n_dot_l, 1.0F);
-    const Lobes::BrdfValue lit = values(model_->lights, cosine, n_dot_h, v_dot_h);
+    Cosines at;
+    if (!cosines(to_light, at)) return {};
+    const float cosine = at.n_dot_l;
+    const Lobes::BrdfValue lit = values(model_->lights, at);
     Scattered out;
     Lobes terms = model_->environment;
     if (is_mirror_) {
@@ -96,11 +103,24 @@ Scattered Bsdf::evaluate(const Vec3& to_light) const {
     out.of_light = (lit.diffuse + lit.specular) * cosine;
     out.of_environment = out.of_light;
     if (!model_->one_masking) {
-        const Lobes::BrdfValue around = values(terms, cosine, n_dot_h, v_dot_h);
+        const Lobes::BrdfValue around = values(terms, at);
         out.of_environment = (around.diffuse + around.specular) * cosine;
     }
-    out.pdf = terms.brdf_pdf(view_, sampler_, cosine, n_dot_h, v_dot_h);
+    out.pdf = terms.brdf_pdf(view_, sampler_, cosine, at.n_dot_h, at.v_dot_h);
     return out;
+}
+
+Bsdf::DiffuseShares Bsdf::diffuse_shares(const Vec3& to_light) const {
+    Cosines at;
+    if (!cosines(to_light, at)) return {};
+    if (is_mirror_) return {Vec3(1.0F), Vec3(1.0F)};
+    const auto share = [&](const Lobes& terms) {
+        const Lobes::BrdfValue f = values(terms, at);
+        constexpr float least = 1e-30F;
+        return f.diffuse / glm::max(f.diffuse + f.specular, Vec3(least));
+    };
+    const Vec3 of_light = share(model_->lights);
+    return {of_light, model_->one_masking ? of_light : share(model_->environment)};
 }
 
 Bsdf::Sample Bsdf::sample(Vec2 u, float lobe) const {

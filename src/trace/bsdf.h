@@ -44,6 +44,13 @@ public:
     /// For a unit direction to the light. Zero below the surface. A mirror's lobe is not in it.
     [[nodiscard]] Scattered evaluate(const math::Vec3& to_light) const;
 
+    /// What the diffuse lobe has of evaluate()'s values, by channel, [0, 1].
+    struct DiffuseShares {
+        math::Vec3 of_light{0.0F};
+        math::Vec3 of_environment{0.0F};
+    };
+    [[nodiscard]] DiffuseShares diffuse_shares(const math::Vec3& to_light) const;
+
     struct Sample {
         math::Vec3 direction{0.0F};  ///< unit, to the light
         Scattered scattered;  ///< of a mirror: the share reflected over its probability, with pdf 1
@@ -53,8 +60,14 @@ public:
     [[nodiscard]] Sample sample(math::Vec2 u, float lobe) const;
 
 private:
-    [[nodiscard]] Lobes::BrdfValue values(Lobes terms, float n_dot_l, float n_dot_h,
-                                          float v_dot_h) const;
+    struct Cosines {
+        float n_dot_l = 0.0F;
+        float n_dot_h = 0.0F;
+        float v_dot_h = 0.0F;
+    };
+    /// False below the surface.
+    [[nodiscard]] bool cosines(const math::Vec3& to_light, Cosines& out) const;
+    [[nodiscard]] Lobes::BrdfValue values(Lobes terms, const Cosines& at) const;
 
     const Model* model_;
     Lobes::BrdfView view_;

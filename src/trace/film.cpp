@@ -3,6 +3,7 @@
 #include "trace/film.h"
 
 #include "math/color.h"
+#include "trace/aov.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,13 +21,15 @@ double display_slope(double linear) {
 
 }  // namespace
 
-Film::Film(math::Extent size)
+Film::Film(math::Extent size, std::vector<tables::Aov> paths)
     : size_(size),
       across_((size.width + tile_px - 1) / tile_px),
       down_((size.height + tile_px - 1) / tile_px),
-      pixels_(static_cast<std::size_t>(size.pixels())) {}
+      pixels_(static_cast<std::size_t>(size.pixels())),
+      paths_(std::move(paths)),
+      path_sums_(pixels_.size() * paths_.size() * 3) {}
 
-bool Film::add(std::size_t pixel, const PathLight& light) {
+bool Film::add(std::size_t pixel, const PathLight& light, const LightPaths& apart) {
     const math::Vec3& nit = light.radiance_nit;
     if (!std::isfinite(nit.x) || !std::isfinite(nit.y) || !std::isfinite(nit.z)) return false;
     PixelSums& sums = pixels_[pixel];
@@ -37,7 +40,30 @@ bool Film::add(std::size_t pixel, const PathLight& light) {
     sums.luminance2 += y * y;
     sums.coverage += static_cast<double>(light.coverage);
     ++sums.count;
+    for (std::size_t k = 0; k < paths_.size(); ++k) {
+        const math::Vec3 value = aov_value(paths_[k], {}, apart);
+        for (std::size_t c = 0; c < 3; ++c)
+            path_sums_[(pixel * paths_.size() + k) * 3 + c] +=
+                static_cast<double>(value[static_cast<int>(c)]);
+    }
     return true;
+}
+
+std::vector<image::Layer> Film::mean_paths() const {
+    std::vector<image::Layer> layers;
+    for (std::size_t k = 0; k < paths_.size(); ++k) {
+        image::Image mean(size_, 3, image::Sample::f32);
+        const auto values = mean.as<float>();
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            const PixelSums& sums = pixels_[i / 3];
+            if (sums.count == 0) continue;
+            const std::size_t at = (i / 3 * paths_.size() + k) * 3 + i % 3;
+            values[i] = static_cast<float>(path_sums_[at] * (1.0 / sums.count));
+        }
+        const tables::AovRow& row = tables::row(paths_[k]);
+        layers.push_back(image::layer_of(row.key, row.channels, std::move(mean)));
+    }
+    return layers;
 }
 
 image::Image Film::mean() const {

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "image/image.h"
+#include "image/read.h"
+#include "tables/aovs.h"
 #include "trace/path.h"
 
 #include <cstdint>
@@ -24,14 +25,19 @@ struct PixelSums {
 
 class Film {
 public:
-    explicit Film(math::Extent size);
+    /// `paths`: rows of the table to keep beside the picture, all light paths.
+    explicit Film(math::Extent size, std::vector<tables::Aov> paths = {});
 
     /// A sample that is not finite is left out; false then.
-    bool add(std::size_t pixel, const PathLight& light);
+    bool add(std::size_t pixel, const PathLight& light, const LightPaths& apart = {});
+    [[nodiscard]] bool keeps_paths() const { return !paths_.empty(); }
 
     /// f32 [height, width, 4], radiance in nit with coverage associated. A pixel without a sample
     /// is black.
     [[nodiscard]] image::Image mean() const;
+
+    /// A layer each of the rows kept, f32 in nit.
+    [[nodiscard]] std::vector<image::Layer> mean_paths() const;
 
     /// What the mean of the tile's samples may be off by, in display values: root of the mean
     /// square over its pixels of the standard error of sRGB(exposure * luminance), clipped to [0,
@@ -54,6 +60,8 @@ private:
     std::uint32_t across_;
     std::uint32_t down_;
     std::vector<PixelSums> pixels_;
+    std::vector<tables::Aov> paths_;
+    std::vector<double> path_sums_;  ///< [pixel, row of paths_, 3]
 };
 
 }  // namespace facet::trace

@@ -21,10 +21,13 @@ constexpr std::size_t most_drawn_each = 8;
 /// that much coarser.
 constexpr float lobe_cone = 0.15F;
 
+/// `is_apart`: fills `apart` beside the sum. Light belongs to the lobe of the first surface that
+/// sends it to the viewer, by that lobe's share of the BRDF in the direction it came from.
+template <bool is_apart>
 class Path {
 public:
-    Path(const World& world, const Ray& ray, Cone cone, Sequence& sequence)
-        : world_(world), sequence_(sequence), ray_(ray), cone_(cone) {}
+    Path(const World& world, const Ray& ray, Cone cone, Sequence& sequence, LightPaths* apart)
+        : world_(world), sequence_(sequence), ray_(ray), cone_(cone), apart_(apart) {}
 
     PathLight trace() {
         while (step()) {
@@ -47,8 +50,9 @@ private:
             // A mirror's density has no bound: what the light draws itself counts nothing beside
             // it.
             constexpr float unbounded = 1e20F;
-            out_.radiance_nit +=
-                of_light_ * world_.lights.met(to_hit, mirrored_ ? unbounded : pdf_, light_weight_);
+            add_scattered(
+                of_light_ * world_.lights.met(to_hit, mirrored_ ? unbounded : pdf_, light_weight_),
+                bounce_ == 1);
         }
         if (!found) {
             add_environment();
@@ -68,6 +72,34 @@ private:
         return scatter(bsdf, origin, cone_m);
     }
 
+    void add(const Vec3& nit, [[maybe_unused]] Vec3 LightPaths::*way) {
+        out_.radiance_nit += nit;
+        if constexpr (is_apart) apart_->*way += nit;
+    }
+    /// Light of a ray that surfaces have scattered already; `is_direct`: of a light that the ray
+    /// from the first of them met.
+    void add_scattered(const Vec3& nit, [[maybe_unused]] bool is_direct) {
+        out_.radiance_nit += nit;
+        if constexpr (is_apart) {
+            if (is_direct)
+                apart_->add_direct(nit, first_.of_light);
+            else
+                apart_->add_indirect(nit, first_.of_environment);
+        }
+    }
+    /// Light that was drawn, and that the surface at hand sends on.
+    void add_drawn(const Vec3& nit, [[maybe_unused]] const Bsdf& bsdf,
+                   [[maybe_unused]] const Vec3& direction, [[maybe_unused]] bool is_light) {
+        out_.radiance_nit += nit;
+        if constexpr (is_apart) {
+            const auto shares = from_camera() ? bsdf.diffuse_shares(direction) : first_;
+            if (from_camera() && is_light)
+                apart_->add_direct(nit, shares.of_light);
+            else
+                apart_->add_indirect(nit, shares.of_environment);
+        }
+    }
+
     /// Goes on behind a blended surface that let the ray through.
     bool pass(const Hit& hit) {
         if (++passed_ > most_passed) return false;
@@ -82,7 +114,11 @@ private:
             world_.environment.at(blurs ? blurred(ray_.direction) : ray_.direction);
         if (from_camera()) out_.coverage = 1.0F;
         const float share = from_camera() || mirrored_ ? 1.0F : power_share(pdf_, light.pdf);
-        out_.radiance_nit += throughput_ * light.radiance_nit * share;
+        const Vec3 nit = throughput_ * light.radiance_nit * share;
+        if (from_camera())
+            add(nit, &LightPaths::background);
+        else
+            add_scattered(nit, false);
     }
 
     /// A direction of the lobe that the prefiltered environment has along `axis`: light that a
@@ -102,7 +138,7 @@ private:
     }
 
     void add_emission(const Hit& hit, const Surface& surface) {
-        if (surface.unlit) out_.radiance_nit += throughput_ * surface.base_color;
+        if (surface.unlit) add_seen(throughput_ * surface.base_color, false);
         if (surface.emissive_nit == Vec3(0.0F)) return;
         // A surface that is single-sided shines to its front alone.
         const scene::Scene& scene = world_.scene;
@@ -111,7 +147,13 @@ private:
         float share = 1.0F;
         if (!from_camera() && !mirrored_)
             share = power_share(pdf_, world_.lights.mesh_pdf(hit, ray_, light_weight_));
-        out_.radiance_nit += of_light_ * surface.emissive_nit * share;
+        add_seen(of_light_ * surface.emissive_nit * share, bounce_ == 1);
+    }
+    void add_seen(const Vec3& nit, bool is_direct) {
+        if (from_camera())
+            add(nit, &LightPaths::emission);
+        else
+            add_scattered(nit, is_direct);
     }
 
     void add_sampled_environment(const Bsdf& bsdf, const Vec3& origin) {
@@ -124,8 +166,9 @@ private:
         const float through = world_.geometry.transmittance({origin, sample.direction});
         if (through <= 0.0F) return;
         const float share = power_share(sample.light.pdf, f.pdf);
-        out_.radiance_nit += throughput_ * f.of_environment * sample.light.radiance_nit *
-                             (through * share / sample.light.pdf);
+        add_drawn(throughput_ * f.of_environment * sample.light.radiance_nit *
+                      (through * share / sample.light.pdf),
+                  bsdf, sample.direction, false);
     }
 
     void add_sampled_lights(const Bsdf& bsdf, const Vec3& origin) {
@@ -160,7 +203,7 @@ private:
             const float own = sample.pdf * choice.probability;
             factor = through * power_share(own, f.pdf) / own;
         }
-        out_.radiance_nit += throughput_ * f.of_light * sample.light * factor;
+        add_drawn(throughput_ * f.of_light * sample.light * factor, bsdf, sample.direction, true);
     }
 
     /// Draws where the light may come from, and turns the ray there. False where the path ends.
@@ -169,6 +212,10 @@ private:
         const math::Vec2 chance = sequence_.next_pair();
         const Bsdf::Sample sample = bsdf.sample(u, chance.x);
         if (!sample.is_valid) return false;
+        if constexpr (is_apart)
+            if (from_camera())
+                first_ = sample.is_mirror ? Bsdf::DiffuseShares{}
+                                          : bsdf.diffuse_shares(sample.direction);
         pdf_ = sample.scattered.pdf;
         mirrored_ = sample.is_mirror;
         of_light_ = throughput_ * sample.scattered.of_light / pdf_;
@@ -200,12 +247,16 @@ private:
     std::uint32_t bounce_ = 0;
     std::uint32_t passed_ = 0;
     PathLight out_;
+    LightPaths* apart_;
+    Bsdf::DiffuseShares first_;  ///< at the first surface, in the direction that the path took
 };
 
 }  // namespace
 
-PathLight trace_path(const World& world, const Ray& camera_ray, Cone cone, Sequence& sequence) {
-    return Path(world, camera_ray, cone, sequence).trace();
+PathLight trace_path(const World& world, const Ray& camera_ray, Cone cone, Sequence& sequence,
+                     LightPaths* apart) {
+    if (apart == nullptr) return Path<false>(world, camera_ray, cone, sequence, nullptr).trace();
+    return Path<true>(world, camera_ray, cone, sequence, apart).trace();
 }
 
 }  // namespace facet::trace

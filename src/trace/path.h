@@ -6,6 +6,7 @@
 #include "trace/bsdf.h"
 #include "trace/environment_light.h"
 #include "trace/geometry.h"
+#include "trace/light_paths.h"
 #include "trace/lights.h"
 #include "trace/sequence.h"
 #include "trace/surface.h"
@@ -43,7 +44,8 @@ struct PathLight {
     std::uint32_t rays = 0;
 };
 
+/// `apart`, unless null, gets the same light by the way that it took; the rays are the same.
 [[nodiscard]] PathLight trace_path(const World& world, const Ray& camera_ray, Cone cone,
-                                   Sequence& sequence);
+                                   Sequence& sequence, LightPaths* apart = nullptr);
 
 }  // namespace facet::trace

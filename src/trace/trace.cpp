@@ -59,10 +59,13 @@ TileCounts trace_tile(const Pass& pass, Film& film, std::size_t tile, std::uint3
                 Sequence sequence(pixel, i, settings.seed);
                 const math::Vec2 at =
                     sequence.next_pair() + math::Vec2(settings.x + x, settings.y + y);
-                const PathLight light = trace_path(pass.world, pass.camera.ray(at), cone, sequence);
+                LightPaths apart;
+                const PathLight light = trace_path(pass.world, pass.camera.ray(at), cone, sequence,
+                                                   film.keeps_paths() ? &apart : nullptr);
                 counts.rays += light.rays;
                 ++counts.paths;
-                if (!film.add(std::size_t{y} * settings.size.width + x, light)) ++counts.not_finite;
+                if (!film.add(std::size_t{y} * settings.size.width + x, light, apart))
+                    ++counts.not_finite;
             }
         }
     return counts;
@@ -150,7 +153,7 @@ Traced Tracer::trace(const TraceSettings& settings, base::ThreadPool& pool,
     const auto start = Clock::now();
     const World world = impl_->world(settings.bounces);
     const CameraRays camera(impl_->inputs.camera, settings.picture);
-    Film film(settings.size);
+    Film film(settings.size, settings.light_paths);
     Traced out;
     std::vector<std::size_t> tiles(film.tile_count());
     std::iota(tiles.begin(), tiles.end(), std::size_t{0});
@@ -186,6 +189,7 @@ Traced Tracer::trace(const TraceSettings& settings, base::ThreadPool& pool,
                     static_cast<double>(out.paths) / static_cast<double>(settings.size.pixels()));
     }
     out.radiance = film.mean();
+    out.light_paths = film.mean_paths();
     out.noise = film.error(settings.exposure);
     out.samples = static_cast<double>(out.paths) / static_cast<double>(settings.size.pixels());
     out.build_s = impl_->build_s;

@@ -46,6 +46,7 @@ struct TraceSettings {
     double exposure = 1.0;  ///< for `noise`: what display values are
     std::optional<double> time_s;  ///< stop after this long; what is there is the picture
     std::uint32_t seed = 0;
+    std::vector<tables::Aov> light_paths;  ///< rows of that kind to give beside the picture
     std::uint32_t bounces = 64;       ///< after the first surface; paths end by chance long before
     std::uint32_t largest_pass = 16;  ///< samples that each pixel gets at a time
     const std::atomic<bool>* cancelled =
@@ -55,9 +56,10 @@ struct TraceSettings {
 using Preview = std::function<void(const image::Image& radiance, double samples)>;
 
 struct Traced {
-    image::Image radiance;  ///< f32 [height, width, 4] in nit, coverage associated
-    double samples = 0.0;   ///< per pixel, on average
-    double noise = 0.0;     ///< estimated root mean square error in display values
+    image::Image radiance;                  ///< f32 [height, width, 4] in nit, coverage associated
+    std::vector<image::Layer> light_paths;  ///< as asked, f32 in nit
+    double samples = 0.0;                   ///< per pixel, on average
+    double noise = 0.0;                     ///< estimated root mean square error in display values
     std::uint64_t paths = 0;
     std::uint64_t rays = 0;
     std::uint64_t not_finite = 0;  ///< samples left out
@@ -81,8 +83,8 @@ public:
                                const base::Progress& progress = {},
                                const Preview& preview = {}) const;
 
-    /// What the camera meets first, a layer each (tables/aovs.def); means are of `samples` rays, 16
-    /// at most.
+    /// What the camera meets first, a layer each (tables/aovs.def) but for light paths; means are
+    /// of `samples` rays, 16 at most.
     [[nodiscard]] std::vector<image::Layer> aovs(const TraceSettings& settings,
                                                  const std::vector<tables::Aov>& aovs,
                                                  base::ThreadPool& pool) const;

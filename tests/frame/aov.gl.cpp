@@ -129,14 +129,16 @@ TEST_F(AovTest, AListThatChangesGivesWhatItGivesFromTheStart) {
     using tables::Aov;
     shot.scene.materials[0].values.emissive = {1.0F, 0.5F, 0.25F};
     shot.samples = 4;
-    for (const std::vector<Aov>& list : {std::vector<Aov>{},
-                                         {Aov::depth, Aov::albedo},
-                                         {Aov::emissive, Aov::n_dot_v, Aov::albedo}}) {
+    for (const std::vector<Aov>& list :
+         {std::vector<Aov>{},
+          {Aov::depth, Aov::albedo},
+          {Aov::emissive, Aov::n_dot_v, Aov::albedo, Aov::background},
+          {Aov::emission, Aov::diffuse_direct}}) {
         shot.aovs = list;
         shot.earlier_aovs = std::nullopt;
         const auto fresh = harness.draw(shot);
         ASSERT_TRUE(fresh) << base::to_line(fresh.error());
-        shot.earlier_aovs = {Aov::albedo, Aov::object_id, Aov::n_dot_v};
+        shot.earlier_aovs = {Aov::albedo, Aov::object_id, Aov::n_dot_v, Aov::emission};
         const auto changed = harness.draw(shot);
         ASSERT_TRUE(changed) << base::to_line(changed.error());
         EXPECT_EQ(fresh->radiance.bytes, changed->radiance.bytes);

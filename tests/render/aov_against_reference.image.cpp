@@ -13,7 +13,8 @@ namespace {
 std::vector<tables::Aov> all_aovs() {
     std::vector<tables::Aov> all;
     for (std::size_t i = 0; i < tables::aovs.size(); ++i)
-        all.push_back(static_cast<tables::Aov>(i));
+        if (tables::aovs[i].kind != tables::AovKind::light_path)
+            all.push_back(static_cast<tables::Aov>(i));
     return all;
 }
 

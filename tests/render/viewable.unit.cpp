@@ -46,6 +46,7 @@ TEST(Viewable, ARangeIsThePicturesOwnAndTheFarthestWhite) {
 
 TEST(Viewable, ExposureIsForRadianceAlone) {
     EXPECT_EQ(shown(Aov::albedo, {0.18F}, 4.0), (std::vector{118}));
+    EXPECT_EQ(shown(Aov::diffuse_direct, {0.045F, 90.0F}, 4.0), (std::vector{118, 255}));
 }
 
 }  // namespace

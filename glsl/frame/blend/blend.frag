@@ -7,7 +7,11 @@ layout(std140) uniform DrawBlock { Draw draw; };
 #include "frame/lighting/shade.glsl"
 
 in vec3 vertex_position_m;
+#if FACET_LIGHT_PATHS
+FACET_PATH_OUTPUTS
+#else
 layout(location = 0) out vec4 out_radiance;
+#endif
 
 void main() {
     Surface s = fetch_surface();
@@ -19,6 +23,12 @@ void main() {
     p.metallic = s.metallic;
     p.roughness = s.roughness;
     p.ao = s.ao;
+#if FACET_LIGHT_PATHS
+    shade(p);
+    add_emission(s.base_color, float(draw.ids.z), s.emissive_nit);
+    FACET_WRITE_PATHS(s.opacity)
+#else
     vec3 radiance = mix(shade(p), s.base_color, float(draw.ids.z)) + s.emissive_nit;
     out_radiance = vec4(radiance * s.opacity, s.opacity);
+#endif
 }

@@ -13,7 +13,11 @@ uniform sampler2D gbuffer_depth;
 uniform sampler2D gbuffer_emissive;
 #endif
 
+#if FACET_LIGHT_PATHS
+FACET_PATH_OUTPUTS
+#else
 layout(location = 0) out vec4 out_radiance;  // nit, linear Rec.709; a: coverage
+#endif
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
@@ -30,10 +34,20 @@ void main() {
     p.roughness = metal_rough_ao.g;
     p.ao = metal_rough_ao.b;
 
+#if FACET_LIGHT_PATHS
+    shade(p);
+    vec3 emissive_nit = vec3(0.0);
+#if FACET_EMISSIVE_TARGET
+    emissive_nit = texelFetch(gbuffer_emissive, pixel, 0).rgb;
+#endif
+    add_emission(p.base_color, albedo.a, emissive_nit);
+    FACET_WRITE_PATHS(1.0)
+#else
     // albedo.a is 1 where KHR_materials_unlit asks for the base colour itself.
     vec3 radiance = mix(shade(p), p.base_color, albedo.a);
 #if FACET_EMISSIVE_TARGET
     radiance += texelFetch(gbuffer_emissive, pixel, 0).rgb;
 #endif
     out_radiance = vec4(radiance, 1.0);
+#endif
 }

@@ -26,6 +26,29 @@ struct ShadePoint {
 // A tile is this many pixels wide and high; frame/lighting/light_lists.h has the same number.
 const uint TILE_PX = 16u;
 
+#if FACET_LIGHT_PATHS
+// Light apart by the way it took: rows of tables/aovs.def. shade() fills it beside the sum.
+struct LightPaths {
+    vec3 diffuse_direct;
+    vec3 diffuse_indirect;
+    vec3 specular_direct;
+    vec3 specular_indirect;
+    vec3 emission;
+    vec3 background;  // no surface's
+};
+LightPaths paths = LightPaths(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
+
+// What an unlit surface shows counts as emitted.
+void add_emission(vec3 base_color, float unlit, vec3 emissive_nit) {
+    float lit = 1.0 - unlit;
+    paths.diffuse_direct *= lit;
+    paths.diffuse_indirect *= lit;
+    paths.specular_direct *= lit;
+    paths.specular_indirect *= lit;
+    paths.emission = base_color * unlit + emissive_nit;
+}
+#endif
+
 vec3 sh_irradiance(vec3 n) {
     vec3 e = view.irradiance_sh[0].rgb;
     e += view.irradiance_sh[1].rgb * n.y + view.irradiance_sh[2].rgb * n.z + view.irradiance_sh[3].rgb * n.x;
@@ -48,6 +71,10 @@ vec3 lit_by(ShadePoint p, BrdfView brdf, vec3 to_light, vec3 illuminance) {
 #else
     BrdfValue f = brdf_light(brdf, n_dot_l, n_dot_h, v_dot_h, 1.0);
 #endif
+#if FACET_LIGHT_PATHS
+    paths.diffuse_direct += f.diffuse * illuminance * n_dot_l;
+    paths.specular_direct += f.specular * illuminance * n_dot_l;
+#endif
     return (f.diffuse + f.specular) * illuminance * n_dot_l;
 }
 
@@ -64,6 +91,10 @@ vec3 shade(ShadePoint p) {
     float level = p.roughness * view.environment.x;
     vec3 prefiltered = textureLod(radiance_cube, mirrored, level).rgb;
     radiance = (w.diffuse * sh_irradiance(p.normal) + w.specular * prefiltered) * p.ao;
+#if FACET_LIGHT_PATHS
+    paths.diffuse_indirect = w.diffuse * sh_irradiance(p.normal) * p.ao;
+    paths.specular_indirect = w.specular * prefiltered * p.ao;
+#endif
 #endif
     for (uint i = 0u; i < view.light_counts.x; ++i) {
         int texel = int(i) * 3;

@@ -72,7 +72,8 @@ base::Status AovPass::run(const gl::Context& gl, const AovInputs& in, tables::Av
                           const std::vector<AovTarget>& targets) {
     const GBuffer& gbuffer = in.gbuffer;
     for (const AovTarget& target : targets) {
-        if (tables::row(target.aov).average != average) continue;
+        const tables::AovRow& row = tables::row(target.aov);
+        if (row.average != average || row.kind == tables::AovKind::light_path) continue;
         const auto program = programs_.get(target.aov, [&](tables::Aov a) { return make(gl, a); });
         if (!program) return tl::unexpected(program.error());
         gl::begin_draw(gl, target.framebuffer, gbuffer.spec.size, **program,

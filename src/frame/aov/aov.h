@@ -31,7 +31,8 @@ public:
     /// Makes a cleared target; `gbuffer` outlives it.
     [[nodiscard]] static base::Result<AovTarget> make_target(const gl::Context& gl, tables::Aov aov,
                                                              const GBuffer& gbuffer);
-    /// Adds this frame's values to the targets whose average is `average`.
+    /// Adds this frame's values to the targets whose average is `average`, but those of light
+    /// paths.
     [[nodiscard]] base::Status run(const gl::Context& gl, const AovInputs& in,
                                    tables::Average average, const std::vector<AovTarget>& targets);
 

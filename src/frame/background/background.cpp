@@ -17,7 +17,7 @@ base::Result<gl::Program> make(const gl::Context& gl, const gl::ShaderSources& s
 }  // namespace
 
 base::Status BackgroundPass::run(const gl::Context& gl, const EnvironmentMaps& environment,
-                                 const gl::VertexArray& empty, const RadianceTarget& out) {
+                                 const gl::VertexArray& empty, const DrawTarget& out) {
     if (!program_) {
         auto made = make(gl, *sources_);
         if (!made) return tl::unexpected(made.error());

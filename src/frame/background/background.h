@@ -20,7 +20,7 @@ public:
     explicit BackgroundPass(const gl::ShaderSources& sources) : sources_(&sources) {}
     /// Writes the pixels of `out` whose depth is the far plane.
     [[nodiscard]] base::Status run(const gl::Context& gl, const EnvironmentMaps& environment,
-                                   const gl::VertexArray& empty, const RadianceTarget& out);
+                                   const gl::VertexArray& empty, const DrawTarget& out);
 
 private:
     const gl::ShaderSources* sources_;

@@ -19,7 +19,7 @@ base::Result<gl::Program> BlendPass::make(const gl::Context& gl, const Key& key)
 
 base::Status BlendPass::run(const gl::Context& gl, const GpuScene& scene,
                             const std::vector<std::size_t>& order, const ShadeInputs& in,
-                            const RadianceTarget& out) {
+                            const DrawTarget& out) {
     for (const std::size_t index : order) {
         const Draw& draw = scene.draws[index];
         if (!draw.blended) continue;

@@ -13,7 +13,7 @@ public:
     /// its back faces first, so that a convex shell needs no sorting of triangles.
     [[nodiscard]] base::Status run(const gl::Context& gl, const GpuScene& scene,
                                    const std::vector<std::size_t>& order, const ShadeInputs& in,
-                                   const RadianceTarget& out);
+                                   const DrawTarget& out);
 
 private:
     struct Key {

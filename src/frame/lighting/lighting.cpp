@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "frame/lighting/lighting.h"
 
+#include <spdlog/fmt/fmt.h>
+
+#include <array>
+
 namespace facet::frame {
 namespace {
 
@@ -29,7 +33,18 @@ base::Result<gl::Program> make(const gl::Context& gl, const gl::ShaderSources& s
 }  // namespace
 
 std::string defines(const ShadeKey& key) {
-    return define("ENVIRONMENT", key.environment) + define("LOCAL_LIGHTS", key.local_lights);
+    std::string text = define("ENVIRONMENT", key.environment) +
+                       define("LOCAL_LIGHTS", key.local_lights) +
+                       define("LIGHT_PATHS", !key.paths.empty());
+    std::string outputs;
+    std::string writes;
+    for (std::size_t i = 0; i < key.paths.size(); ++i) {
+        outputs += fmt::format("layout(location = {0}) out vec4 out_path_{0}; ", i);
+        writes += fmt::format("out_path_{} = vec4(({}) * (share), share); ", i,
+                              tables::row(key.paths[i]).glsl);
+    }
+    text += fmt::format("#define FACET_PATH_OUTPUTS {}\n", outputs);
+    return text + fmt::format("#define FACET_WRITE_PATHS(share) {}\n", writes);
 }
 
 LightBuffers make_light_buffers(const gl::Context& gl) {
@@ -72,21 +87,32 @@ void bind_shade_textures(const gl::Context& gl, const ShadeInputs& in) {
 }
 
 base::Result<RadianceTarget> RadianceTarget::create(const gl::Context& gl, math::Extent size,
-                                                    const gl::Texture& depth) {
+                                                    const gl::Texture& depth,
+                                                    std::size_t color_count) {
     RadianceTarget out;
     out.size = size;
-    auto radiance = gl::make_texture(gl, {.format = GL_RGBA32F, .size = size});
-    if (!radiance) return tl::unexpected(radiance.error());
-    out.radiance = std::move(*radiance);
-    const std::array<const gl::Texture*, 1> colors = {&out.radiance};
+    for (std::size_t i = 0; i < color_count; ++i) {
+        auto color = gl::make_texture(gl, {.format = GL_RGBA32F, .size = size});
+        if (!color) return tl::unexpected(color.error());
+        out.colors.push_back(std::move(*color));
+    }
+    std::vector<const gl::Texture*> colors;
+    for (const gl::Texture& color : out.colors) colors.push_back(&color);
     auto framebuffer = gl::make_framebuffer(gl, colors, &depth);
     if (!framebuffer) return tl::unexpected(framebuffer.error());
     out.framebuffer = std::move(*framebuffer);
     return out;
 }
 
+void RadianceTarget::clear(const gl::Context& gl) const {
+    const std::array<float, 4> nothing{};
+    gl.api().BindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
+    for (std::size_t i = 0; i < colors.size(); ++i)
+        gl.api().ClearBufferfv(GL_COLOR, static_cast<GLint>(i), nothing.data());
+}
+
 base::Status LightingPass::run(const gl::Context& gl, const GBuffer& gbuffer, const ShadeInputs& in,
-                               const gl::VertexArray& empty, const RadianceTarget& out) {
+                               const gl::VertexArray& empty, const DrawTarget& out) {
     const Key key{in.key, gbuffer.spec.emissive};
     const auto program =
         programs_.get(key, [&](const Key& k) { return make(gl, *sources_, k.shade, k.emissive); });

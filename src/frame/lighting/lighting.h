@@ -6,6 +6,10 @@
 #include "frame/gbuffer/gbuffer.h"
 #include "frame/lighting/light_lists.h"
 #include "frame/shared.h"
+#include "tables/aovs.h"
+
+#include <string>
+#include <vector>
 
 namespace facet::frame {
 
@@ -13,6 +17,7 @@ namespace facet::frame {
 struct ShadeKey {
     bool environment = true;
     bool local_lights = false;
+    std::vector<tables::Aov> paths;  ///< light paths, a target each in place of their sum
     auto operator<=>(const ShadeKey&) const = default;
 };
 [[nodiscard]] std::string defines(const ShadeKey& key);
@@ -35,17 +40,26 @@ struct ShadeInputs {
 void set_shade_samplers(const gl::Context& gl, const gl::Program& program);
 void bind_shade_textures(const gl::Context& gl, const ShadeInputs& in);
 
+/// What a pass draws into.
+struct DrawTarget {
+    const gl::Framebuffer& framebuffer;
+    math::Extent size;
+};
+
 /// Where radiance goes: RGBA32F [height, width, 4], linear Rec.709 in nit, associated alpha. It
 /// shares the G-buffer's depth: passes test against it while lighting reads it, and none writes it,
 /// which GL allows after a texture barrier.
 struct RadianceTarget {
     math::Extent size;
-    gl::Texture radiance;
+    std::vector<gl::Texture> colors;  ///< one, or one a light path
     gl::Framebuffer framebuffer;
     /// `depth` outlives the target.
     [[nodiscard]] static base::Result<RadianceTarget> create(const gl::Context& gl,
                                                              math::Extent size,
-                                                             const gl::Texture& depth);
+                                                             const gl::Texture& depth,
+                                                             std::size_t color_count = 1);
+    void clear(const gl::Context& gl) const;
+    [[nodiscard]] DrawTarget target() const { return {framebuffer, size}; }
 };
 
 class LightingPass {
@@ -54,7 +68,7 @@ public:
     /// Writes the pixels where the G-buffer has a surface.
     [[nodiscard]] base::Status run(const gl::Context& gl, const GBuffer& gbuffer,
                                    const ShadeInputs& in, const gl::VertexArray& empty,
-                                   const RadianceTarget& out);
+                                   const DrawTarget& out);
 
 private:
     struct Key {

@@ -61,8 +61,9 @@ base::Result<AccumulatePass> AccumulatePass::create(const gl::Context& gl,
 }
 
 void AccumulatePass::run(const gl::Context& gl, const gl::Texture& radiance,
-                         const gl::VertexArray& empty, const Accumulator& out) const {
-    gl::begin_draw(gl, out.framebuffer, out.size, program_, {.blend = gl::Blend::add});
+                         const gl::VertexArray& empty, const gl::Framebuffer& sum,
+                         math::Extent size) const {
+    gl::begin_draw(gl, sum, size, program_, {.blend = gl::Blend::add});
     gl::bind_texture(gl, 0, GL_TEXTURE_2D, radiance, nullptr);
     gl::draw_full_screen(gl, empty);
 }

@@ -25,7 +25,7 @@ public:
     [[nodiscard]] static base::Result<AccumulatePass> create(const gl::Context& gl,
                                                              const gl::ShaderSources& sources);
     void run(const gl::Context& gl, const gl::Texture& radiance, const gl::VertexArray& empty,
-             const Accumulator& out) const;
+             const gl::Framebuffer& sum, math::Extent size) const;
 
 private:
     gl::Program program_;
