@@ -129,13 +129,17 @@ tables::Settings Stage::settings_for(const Scenery& scenery, Extent size) const 
 
 Extent Stage::size_for(const Scenery& scenery) const {
     const Extent full = scenery.area_px;
-    if (!scenery.moving || steady_) return full;
+    if (steady_) return full;
     const double expected_ms = ms_per_pixel_ * static_cast<double>(full.pixels());
-    if (expected_ms <= budget_ms) return full;
+    if (expected_ms <= scenery.budget_ms) return full;
     // Steps, so that the targets are not made anew for every frame of a drag.
     for (const double scale : {0.75, 0.5, 0.375, 0.25})
-        if (expected_ms * scale * scale <= budget_ms) return scaled(full, scale);
+        if (expected_ms * scale * scale <= scenery.budget_ms) return scaled(full, scale);
     return scaled(full, 0.1875);
+}
+
+bool Stage::is_slow(const Scenery& scenery, Extent size) const {
+    return !steady_ && ms_per_pixel_ * static_cast<double>(size.pixels()) > 2.0 * scenery.budget_ms;
 }
 
 base::Status Stage::apply(const tables::Settings& settings) {
@@ -163,9 +167,9 @@ std::uint32_t Stage::samples_wanted() const { return session_->plan().sample_cou
 
 base::Status Stage::step(const Scenery& scenery, UiRenderer& pictures) {
     const bool is_new = !applied_ || !same_picture(*applied_, scenery);
-    const Extent size = is_new || (!scenery.moving && drawn_ == 1 && size_px() != scenery.area_px)
-                            ? size_for(scenery)
-                            : size_px();
+    const bool hurry = scenery.moving || !scenery.patient;
+    const Extent size = is_new ? (hurry ? size_for(scenery) : scenery.area_px)
+                               : (hurry ? size_px() : scenery.area_px);
     const bool restart = is_new || size != size_px();
     const bool look_changed = applied_ && !(applied_->look == scenery.look);
     if (restart) {
@@ -177,15 +181,21 @@ base::Status Stage::step(const Scenery& scenery, UiRenderer& pictures) {
         return {};
     }
     finished_ = false;
-    const bool coarse = scenery.moving || size != scenery.area_px;
+    const bool coarse = scenery.moving;
     const std::uint32_t wanted = coarse ? 1 : samples_wanted();
     // One sample of one is the pixel's centre, and is in no sum.
     if (!coarse && is_coarse_) drawn_ = 0;
     is_coarse_ = coarse;
+    waiting_ = !restart && !look_changed &&
+               (drawn_ >= wanted ? size != scenery.area_px : hurry && is_slow(scenery, size));
+    if (waiting_) {
+        applied_ = scenery;
+        return {};
+    }
     if (drawn_ < wanted)
         if (auto s = draw_sample(wanted); !s) return s;
     applied_ = scenery;
-    finished_ = !coarse && drawn_ >= wanted;
+    finished_ = !coarse && drawn_ >= wanted && size == scenery.area_px;
     return show(scenery, pictures);
 }
 

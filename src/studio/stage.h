@@ -41,7 +41,9 @@ struct Scenery {
     Look look;
     std::optional<std::size_t> solo;  ///< the one material that keeps its colours
     math::Extent area_px;
-    bool moving = false;  ///< somebody drags something
+    double budget_ms = 55.0;  ///< that a step may take while somebody waits for it
+    bool moving = false;      ///< somebody drags something
+    bool patient = true;      ///< nobody did anything for a while: a sample may take long
 };
 
 /// A number that the frame's own shaders gave for one pixel.
@@ -52,9 +54,6 @@ struct Probed {
 
 class Stage {
 public:
-    /// Milliseconds that a step may take while something moves.
-    static constexpr double budget_ms = 55.0;
-
     explicit Stage(const StageTools& tools);
     ~Stage();
     Stage(const Stage&) = delete;
@@ -70,6 +69,9 @@ public:
     [[nodiscard]] base::Status step(const Scenery& scenery, UiRenderer& pictures);
     /// Nothing is left to be done for this scenery.
     [[nodiscard]] bool is_finished() const { return finished_; }
+
+    /// It could be better, but not before the person has rested for a while.
+    [[nodiscard]] bool is_waiting() const { return waiting_; }
 
     [[nodiscard]] const scene::Scene& scene() const;
     /// As the document has them; the scene's own are those of the view.
@@ -103,6 +105,8 @@ public:
 private:
     [[nodiscard]] tables::Settings settings_for(const Scenery& scenery, math::Extent size) const;
     [[nodiscard]] math::Extent size_for(const Scenery& scenery) const;
+    /// A sample of that size makes a person wait.
+    [[nodiscard]] bool is_slow(const Scenery& scenery, math::Extent size) const;
     [[nodiscard]] base::Status apply(const tables::Settings& settings);
     /// What the view shows, and materials() and lights() of the document.
     [[nodiscard]] base::Status apply_scenery(const Scenery& scenery, math::Extent size);
@@ -120,6 +124,7 @@ private:
     std::uint32_t drawn_ = 0;
     bool is_coarse_ = false;  ///< drawn_ is one sample of one
     bool finished_ = false;
+    bool waiting_ = false;
     bool original_shown_ = false;
     double exposure_ = 1.0;
     double ms_per_pixel_ = 8e-5;  ///< a guess, until the first frame is measured

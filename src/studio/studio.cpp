@@ -33,6 +33,10 @@ constexpr double soon_s = 0.1;
 constexpr double caret_s = 0.4;
 /// Seconds after the last change that count as moving.
 constexpr double moving_s = 0.25;
+/// Frames of a drag are to take no longer: 16 a second, in the largest window.
+constexpr double wanted_frame_ms = 62.0;
+/// After the last input, where a sample at full size would make the next one wait.
+constexpr auto patience = std::chrono::milliseconds(700);
 constexpr float offscreen_frame_s = 1.0F / 60.0F;
 
 /// ImGui's own state, which it keeps behind a pointer of its own.
@@ -96,7 +100,10 @@ private:
     math::Extent area_px_;
     std::uint32_t frame_ = 0;
     std::uint32_t calm_frames_ = 0;  ///< drawn since something happened
+    double ui_ms_ = 8.0;             ///< that a frame takes without its picture
     Clock::time_point last_change_{};
+    Clock::time_point last_input_{};
+    math::Vec2 mouse_px_{-1.0F};
     Clock::time_point last_frame_{};
     std::optional<std::filesystem::path> shot_;  ///< of the frame being drawn
 };
@@ -174,7 +181,9 @@ base::Status Studio::step_stage() {
                           .look = editor_.look,
                           .solo = editor_.material,
                           .area_px = area_px_,
-                          .moving = since.count() < moving_s && held};
+                          .budget_ms = std::clamp(wanted_frame_ms - ui_ms_, 12.0, 55.0),
+                          .moving = since.count() < moving_s && held,
+                          .patient = request_.offscreen || Clock::now() - last_input_ > patience};
     auto stepped = stage_->step(scenery, *pictures_);
     if (!stepped) return stepped;
     truth_->update(screen_->gl(), *stage_, editor_, *pictures_, inspection_);
@@ -218,17 +227,24 @@ base::Status Studio::draw_frame() {
     if (!ImGui::IsAnyItemActive()) editor_.history.seal();
     do_wanted();
     if (!(before == editor_.document.settings)) last_change_ = now;
+    const auto before_picture = Clock::now();
     if (auto s = step_stage(); !s) {
         // What cannot be drawn was not done.
         editor_.complain(s.error());
         editor_.document.settings = before;
     }
+    const auto after_picture = Clock::now();
     const auto target = screen_->begin(input_.window_px, theme_ == Theme::dark ? 0.1F : 0.8F);
     if (!target) return tl::unexpected(target.error());
     pictures_->draw(screen_->gl(), *ImGui::GetDrawData(), *target, input_.window_px);
     if (const auto shot = std::exchange(shot_, std::nullopt))
         if (auto s = write_shot(*shot); !s) return s;
     screen_->show();
+    const std::chrono::duration<double, std::milli> took = Clock::now() - now;
+    const std::chrono::duration<double, std::milli> picture = after_picture - before_picture;
+    ui_ms_ += 0.2 * (took.count() - picture.count() - ui_ms_);
+    log_.debug("frame {}: {:.1f} ms, of which the picture took {:.1f} at {}x{}", frame_,
+               took.count(), stage_->last_ms(), stage_->size_px().width, stage_->size_px().height);
     return screen_->gl().check("studio");
 }
 
@@ -289,7 +305,7 @@ bool Studio::is_over() {
 double Studio::wait_s() const {
     const bool busy = !stage_->is_finished() || !player_.is_done() || shot_ ||
                       request_.frames > 0 || calm_frames_ < 3 || !editor_.history.is_sealed();
-    if (busy) return 0.0;
+    if (busy) return stage_->is_waiting() && player_.is_done() ? soon_s : 0.0;
     if (ImGui::GetIO().WantTextInput) return caret_s;
     return commands_->is_busy() || !truth_->is_quiet() ? soon_s : idle_s;
 }
@@ -297,6 +313,8 @@ double Studio::wait_s() const {
 base::Status Studio::run() {
     while (!is_over()) {
         screen_->poll(input_, wait_s());
+        if (!input_.is_idle() || input_.mouse_px != mouse_px_) last_input_ = Clock::now();
+        mouse_px_ = input_.mouse_px;
         if (!input_.is_idle() || !stage_->is_finished() || !truth_->is_quiet()) calm_frames_ = 0;
         const auto played = player_.play(input_, *ui_, is_settled(),
                                          [this](const ScriptStep& step) { return act(step); });
