@@ -3,6 +3,7 @@
 #include "base/text.h"
 #include "cli/help.h"
 #include "cli/setting_flags.h"
+#include "studio/actions.h"
 #include "tables/aovs.h"
 #include "tables/brdf_terms.h"
 #include "tables/exit_codes.h"
@@ -48,6 +49,31 @@ std::string cameras() {
            "facet render a.glb --list cameras  names the cameras of a file\n";
 }
 
+std::string studio() {
+    std::string out =
+        "Example: facet studio helmet.glb\n\n"
+        "Drag turns the view, Shift or the right button pans, the wheel zooms; right button and "
+        "WASD, QE fly.\n"
+        "A click chooses a material. Drop a .gltf, .glb, .hdr or .exr on the window, or a picture "
+        "on a texture's row.\n\nKeys\n";
+    for (const auto& row : facet::studio::actions)
+        if (!row.keys.empty())
+            out += fmt::format("  {:<14} {}\n", facet::studio::shown_keys(row.keys), row.name);
+    return out +
+           "\n--do SCRIPT plays a file, one step a line; # begins a comment, words with spaces "
+           "stand in quotes\n"
+           "  set PATH VALUE    what --set takes, or a setting's key and value\n"
+           "  click LABEL       a widget, by the name that a mistake lists\n"
+           "  drag LABEL X [Y]  a slider to the value X; anything else by X and Y pixels\n"
+           "  key NAME          ctrl+z, f1, ...; type TEXT writes into the field in use\n"
+           "  open FILE, save FILE, undo, redo, quit\n"
+           "  wait [N]          N frames; without N until the picture is finished\n"
+           "  truth N           until the reference has N samples a pixel\n"
+           "  shot FILE         the window as a PNG\n"
+           "--offscreen needs no display; its pictures are the same on any machine.\n"
+           "Unsaved work is kept in XDG_STATE_HOME/facet, habits in XDG_CONFIG_HOME/facet.\n";
+}
+
 std::string set() {
     std::string out =
         "Example: facet render a.glb --set material.Helmet.roughness=0.4 --set "
@@ -57,7 +83,9 @@ std::string set() {
         "material.NAME.KEY, material.*.KEY for all, or material[3].KEY by index; light.NAME.KEY "
         "likewise.\n"
         "A number is a factor: a texture still multiplies it. KEY_texture=none drops a "
-        "texture.\n\n";
+        "texture,\n"
+        "KEY_texture=FILE puts a picture in its place. --material NAME=PRESET comes before: "
+        "--list materials.\n\n";
     for (const auto& row : tables::material_params)
         out += fmt::format("  {:<20} {:>5} .. {:<8} {}\n", row.key, row.range.low, row.range.high,
                            row.help);
@@ -136,8 +164,9 @@ struct Topic {
     std::string_view name;
     std::string (*text)();
 };
-constexpr Topic topics[] = {{"lights", lights}, {"cameras", cameras}, {"set", set},
-                            {"aovs", aovs},     {"brdf-terms", brdf}, {"exit-codes", exit_codes}};
+constexpr Topic topics[] = {{"lights", lights},        {"cameras", cameras}, {"set", set},
+                            {"studio", studio},        {"aovs", aovs},       {"brdf-terms", brdf},
+                            {"exit-codes", exit_codes}};
 
 }  // namespace
 

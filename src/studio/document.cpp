@@ -135,6 +135,12 @@ bool has_path(const tables::Settings& settings, std::string_view path) {
                        [&](const std::string& text) { return is_meant(text, path); });
 }
 
+std::string path_value(const tables::Settings& settings, std::string_view path) {
+    for (const std::string& text : settings.set)
+        if (is_meant(text, path)) return text.substr(text.rfind('=') + 1);
+    return {};
+}
+
 std::vector<std::string> setting_texts(const tables::Settings& settings,
                                        const tables::Setting& row) {
     static const tables::Settings initial;

@@ -33,6 +33,9 @@ void clear_path(tables::Settings& settings, std::string_view path);
 /// Whether set_path() gave a value to `path`, or to one that begins so where it ends in a dot.
 [[nodiscard]] bool has_path(const tables::Settings& settings, std::string_view path);
 
+/// What set_path() gave `path`; empty where it gave nothing.
+[[nodiscard]] std::string path_value(const tables::Settings& settings, std::string_view path);
+
 /// The words of the `facet render` command that makes the document's picture, for a shell.
 [[nodiscard]] std::string render_command(const Document& document, const std::string& output);
 /// The same as arguments.

@@ -5,6 +5,8 @@
 #include "frame/output/output.h"
 
 #include <array>
+#include <chrono>
+#include <thread>
 
 namespace facet::studio {
 
@@ -31,6 +33,7 @@ base::Result<Screen> Screen::open_offscreen(math::Extent size_px, gl::Backend ba
 
 void Screen::poll(Input& input, double wait_s) {
     if (window_) return window_->poll(input, wait_s);
+    if (wait_s > 0.0) std::this_thread::sleep_for(std::chrono::duration<double>(wait_s));
     input.next_frame();
     input.window_px = size_px_;
 }

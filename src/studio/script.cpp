@@ -19,7 +19,7 @@ struct VerbRow {
     std::size_t most_words;
 };
 /// In the order of Verb.
-constexpr std::array<VerbRow, 12> verbs = {{{"set", 2, 16},
+constexpr std::array<VerbRow, 13> verbs = {{{"set", 2, 16},
                                             {"click", 1, 1},
                                             {"drag", 2, 3},
                                             {"key", 1, 1},
@@ -29,6 +29,7 @@ constexpr std::array<VerbRow, 12> verbs = {{{"set", 2, 16},
                                             {"undo", 0, 0},
                                             {"redo", 0, 0},
                                             {"wait", 0, 1},
+                                            {"truth", 1, 1},
                                             {"shot", 1, 1},
                                             {"quit", 0, 0}}};
 

@@ -14,7 +14,7 @@
 
 namespace facet::studio {
 
-enum class Verb { set, click, drag, key, type, open, save, undo, redo, wait, shot, quit };
+enum class Verb { set, click, drag, key, type, open, save, undo, redo, wait, truth, shot, quit };
 
 struct ScriptStep {
     Verb verb = Verb::wait;
@@ -30,10 +30,18 @@ struct ScriptStep {
 ///   type TEXT           letters into the field that has the focus
 ///   open FILE, save FILE, undo, redo, quit
 ///   wait N              N frames; without N until the picture is finished
+///   truth N             until the reference beside the picture has N samples a pixel
 ///   shot FILE           the window as a PNG
 /// Errors: usage, naming the line.
 [[nodiscard]] base::Result<std::vector<ScriptStep>> parse_script(std::string_view text,
                                                                  const std::string& file);
+
+/// How far what is drawn has come.
+struct PlayProgress {
+    bool picture_finished = false;  ///< nothing is left to draw or to save
+    double reference_samples = 0.0;
+    bool is_compared = false;  ///< and the difference to the reference is known
+};
 
 /// Plays a script, a frame at a time: mouse and keys into the input, the rest through `act`.
 class ScriptPlayer {
@@ -43,13 +51,17 @@ public:
 
     explicit ScriptPlayer(std::vector<ScriptStep> steps) : steps_(std::move(steps)) {}
     [[nodiscard]] bool is_done() const { return next_ >= steps_.size(); }
-    /// Before a frame: what the person does in it. `picture_finished`: nothing is left to draw.
-    [[nodiscard]] base::Status play(Input& input, const Ui& ui, bool picture_finished,
+    /// Before a frame: what the person does in it.
+    [[nodiscard]] base::Status play(Input& input, const Ui& ui, const PlayProgress& progress,
                                     const Act& act);
+    /// Nothing happens before the reference is better.
+    [[nodiscard]] bool waits_for_truth() const {
+        return !is_done() && steps_[next_].verb == Verb::truth;
+    }
 
 private:
     [[nodiscard]] base::Status play_step(const ScriptStep& step, Input& input, const Ui& ui,
-                                         bool picture_finished, const Act& act);
+                                         const PlayProgress& progress, const Act& act);
     /// The widget a step is about; null while it may still appear.
     [[nodiscard]] base::Result<const Widget*> find(const ScriptStep& step, const Ui& ui) const;
     void click(Input& input);

@@ -98,7 +98,7 @@ base::Status ScriptPlayer::press(const ScriptStep& step, Input& input) {
 }
 
 base::Status ScriptPlayer::play_step(const ScriptStep& step, Input& input, const Ui& ui,
-                                     bool picture_finished, const Act& act) {
+                                     const PlayProgress& progress, const Act& act) {
     if (step.verb == Verb::click || step.verb == Verb::drag) {
         // Once more when it is pressed: what came before may still have moved it.
         if (frame_ <= 1) {
@@ -124,9 +124,15 @@ base::Status ScriptPlayer::play_step(const ScriptStep& step, Input& input, const
         ++frame_;
         // At least two frames: one takes the change over, the next can say that it is finished.
         const bool over = step.words.empty()
-                              ? picture_finished && frame_ > 2
+                              ? progress.picture_finished && frame_ > 2
                               : frame_ >= static_cast<std::size_t>(count.value_or(1));
         if (over) done();
+        return {};
+    }
+    if (step.verb == Verb::truth) {
+        const auto samples = base::parse_number(step.words.front());
+        if (!samples) return failed(step, "not a number", step.words.front(), "truth 64");
+        if (progress.reference_samples >= *samples && progress.is_compared) done();
         return {};
     }
     auto acted = act(step);
@@ -134,10 +140,11 @@ base::Status ScriptPlayer::play_step(const ScriptStep& step, Input& input, const
     return acted;
 }
 
-base::Status ScriptPlayer::play(Input& input, const Ui& ui, bool picture_finished, const Act& act) {
+base::Status ScriptPlayer::play(Input& input, const Ui& ui, const PlayProgress& progress,
+                                const Act& act) {
     if (is_done()) return {};
     const ScriptStep step = steps_[next_];
-    return play_step(step, input, ui, picture_finished, act);
+    return play_step(step, input, ui, progress, act);
 }
 
 }  // namespace facet::studio

@@ -71,7 +71,7 @@ private:
     base::Status step_stage();
     base::Status write_shot(const std::filesystem::path& path);
     [[nodiscard]] bool is_over();
-    [[nodiscard]] bool is_settled() const;
+    [[nodiscard]] PlayProgress progress() const;
     [[nodiscard]] double wait_s() const;
 
     const StudioRequest& request_;
@@ -292,8 +292,6 @@ base::Status Studio::act(const ScriptStep& step) {
     }
 }
 
-bool Studio::is_settled() const { return stage_->is_finished() && !commands_->is_busy(); }
-
 bool Studio::is_over() {
     const bool asked = input_.wants_close || std::exchange(editor_.wanted.quit, false);
     input_.wants_close = false;
@@ -302,7 +300,14 @@ bool Studio::is_over() {
     return request_.has_script && request_.offscreen && player_.is_done() && !shot_;
 }
 
+PlayProgress Studio::progress() const {
+    return {.picture_finished = stage_->is_finished() && !commands_->is_busy(),
+            .reference_samples = inspection_.against.samples,
+            .is_compared = inspection_.against.is_known};
+}
+
 double Studio::wait_s() const {
+    if (player_.waits_for_truth() && stage_->is_finished()) return soon_s;
     const bool busy = !stage_->is_finished() || !player_.is_done() || shot_ ||
                       request_.frames > 0 || calm_frames_ < 3 || !editor_.history.is_sealed();
     if (busy) return stage_->is_waiting() && player_.is_done() ? soon_s : 0.0;
@@ -316,7 +321,7 @@ base::Status Studio::run() {
         if (!input_.is_idle() || input_.mouse_px != mouse_px_) last_input_ = Clock::now();
         mouse_px_ = input_.mouse_px;
         if (!input_.is_idle() || !stage_->is_finished() || !truth_->is_quiet()) calm_frames_ = 0;
-        const auto played = player_.play(input_, *ui_, is_settled(),
+        const auto played = player_.play(input_, *ui_, progress(),
                                          [this](const ScriptStep& step) { return act(step); });
         if (!played) return played;
         ++frame_;
