@@ -68,8 +68,7 @@ void draw_key(PanelTools& tools, const LightKeyRow& row, std::size_t index) {
     const SliderSpec spec = spec_of(tools, row, index);
     std::string text = scene::light_key_text(light, row.key);
     // A light keeps the colour of its temperature, and not the temperature.
-    if (text.empty())
-        text = path_value(tools.editor.document.settings, light_path(index, row.key));
+    if (text.empty()) text = path_value(tools.editor.document.settings, light_path(index, row.key));
     Touched touched = Touched::no;
     if (row.type == LightKeyType::text) {
         touched = text_row(tools.ui, spec, text);

@@ -110,7 +110,8 @@ TEST(SetPath, APictureFileBecomesATextureAndIsReadOnce) {
 TEST(SetPath, APictureThatCannotBeUsedLeavesTheSceneAsItWas) {
     const support::TemporaryFolder folder;
     folder.write("text.png", "no picture");
-    for (const std::string value : {"/no/such.png", (folder / "text.png").c_str(), "/tmp"}) {
+    for (const std::string& value :
+         {std::string("/no/such.png"), (folder / "text.png").string(), std::string("/tmp")}) {
         Scene changed = with_mesh();
         EXPECT_FALSE(apply_set(changed, "material.Body.001.base_color_texture=" + value)) << value;
         EXPECT_TRUE(changed.images.empty());

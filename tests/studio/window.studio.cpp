@@ -51,7 +51,6 @@ rest() {
 }
 shot() { rest; mv a.xwd "$1"; }
 drag() { xdotool mousemove $1 $2 mousedown 1 sleep 0.1 mousemove $3 $4 sleep 0.1 mouseup 1; }
-gone() { tries=0; while kill -0 $studio 2>/dev/null; do sleep 0.1; tries=$((tries + 1)); [ $tries -lt 100 ]; done; }
 start )" + arguments + "\n" + steps;
     folder.write("hands.sh", script);
     return support::run({"/bin/sh", "hands.sh"}, {.folder = folder.path()});
@@ -118,7 +117,7 @@ tries=0
 while cmp -s scene.glb old.glb; do sleep 0.1; tries=$((tries + 1)); [ $tries -lt 100 ]; done
 shot saved.xwd
 xdotool key ctrl+q
-gone
+wait $studio
 ls state/facet 2>/dev/null >left.txt || true
 start scene.glb --exposure 1
 xdotool mousemove 640 715
