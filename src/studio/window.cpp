@@ -82,12 +82,17 @@ void Window::Impl::listen() {
     glfw.SetScrollCallback(window, [](GLFWwindow* w, double, double y) {
         if (Input* in = of(w).input) in->wheel += static_cast<float>(y);
     });
-    glfw.SetKeyCallback(window, [](GLFWwindow* w, int key, int, int action, int) {
+    glfw.SetKeyCallback(window, [](GLFWwindow* w, int key, int, int action, int mods) {
         Input* in = of(w).input;
         if (in == nullptr || key < 0 || key >= static_cast<int>(key_count)) return;
         const auto i = static_cast<std::size_t>(key);
         in->keys[i] = action != GLFW_RELEASE;
-        in->typed_keys[i] = in->typed_keys[i] || action != GLFW_RELEASE;
+        if (action == GLFW_RELEASE) return;
+        in->typed_keys[i] = true;
+        // What was held with it may be let go before the frame sees it.
+        if ((mods & GLFW_MOD_CONTROL) != 0) in->typed_keys[GLFW_KEY_LEFT_CONTROL] = true;
+        if ((mods & GLFW_MOD_SHIFT) != 0) in->typed_keys[GLFW_KEY_LEFT_SHIFT] = true;
+        if ((mods & GLFW_MOD_ALT) != 0) in->typed_keys[GLFW_KEY_LEFT_ALT] = true;
     });
     glfw.SetCharCallback(window, [](GLFWwindow* w, unsigned letter) {
         if (Input* in = of(w).input) in->text.push_back(static_cast<char32_t>(letter));
