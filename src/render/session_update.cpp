@@ -83,6 +83,19 @@ base::Result<std::vector<image::Layer>> Session::probe(const frame::Region& regi
     return probe_->read_aovs(*gl_, 1);
 }
 
-base::Status Session::reload_shaders() { return make_frame(); }
+base::Status Session::reload_shaders() {
+    auto old_frame = std::exchange(frame_, std::nullopt);
+    auto old_sources = std::exchange(sources_, nullptr);
+    auto made = make_frame();
+    // Programs are compiled at first need: only a picture tells that they all are right.
+    const scene::KeyLight key = key_light_for(plan_.aovs);
+    if (made) made = frame_->draw(*gl_, inputs(key), 0, 1);
+    if (made) made = frame_->draw_centered_aovs(*gl_, inputs(key));
+    if (made) made = display(1.0, 1);
+    if (made) return made;
+    frame_ = std::move(old_frame);
+    sources_ = std::move(old_sources);
+    return made;
+}
 
 }  // namespace facet::render

@@ -328,7 +328,9 @@ base::Status Studio::run() {
         if (request_.frames > 0 && frame_ == request_.frames && !request_.shot.empty())
             shot_ = request_.shot;
         if (input_.window_px.pixels() == 0) continue;                    // an iconified window
-        if (wait_s() == idle_s && !commands_->sees_changes()) continue;  // nothing to draw
+        const bool changes = commands_->sees_changes();
+        if (wait_s() == idle_s && !changes) continue;  // nothing to draw
+        if (changes) calm_frames_ = 0;
         ++calm_frames_;
         if (auto s = draw_frame(); !s) return s;
     }

@@ -161,6 +161,35 @@ rest
               0.5);
 }
 
+TEST(StudioWindow, AFileThatChangesIsReadAgainAndOneThatVanishesIsNoHarm) {
+    if (!has_tools()) GTEST_SKIP() << "apt-get install xvfb xdotool x11-apps";
+    const TemporaryFolder folder;
+    copy_showcase(folder);
+    const Ran red = support::facet({"studio", "scene.glb", "--offscreen", "--do", "-"},
+                                   {.folder = folder.path(),
+                                    .input = "set material.gold.base_color \"1 0 0\"\n"
+                                             "wait\nsave red.glb\n"});
+    ASSERT_EQ(red.exit, 0) << red.err;
+    const Ran ran = with_window(folder, R"(
+xdotool mousemove 640 715
+shot before.xwd
+mv red.glb scene.glb
+sleep 2.5
+shot red.xwd
+rm scene.glb
+sleep 2.5
+xdotool mousemove 650 715
+shot gone.xwd
+kill -0 $studio
+)");
+    ASSERT_EQ(ran.exit, 0) << ran.err << text_of(folder / "studio.err");
+    const Screenshot before(folder / "before.xwd");
+    EXPECT_GT(changed(before, Screenshot(folder / "red.xwd"), 560, 120, 640, 200), 0.3);
+    EXPECT_EQ(
+        changed(Screenshot(folder / "red.xwd"), Screenshot(folder / "gone.xwd"), 280, 60, 920, 460),
+        0.0);
+}
+
 TEST(StudioWindow, TurningTheViewByTheMouseAndKeysThatTypeIntoFieldsOnly) {
     if (!has_tools()) GTEST_SKIP() << "apt-get install xvfb xdotool x11-apps";
     const TemporaryFolder folder;
