@@ -104,7 +104,10 @@ void draw_status(PanelTools& tools) {
     ImGui::TextUnformatted(scene.c_str());
     const std::string text = stage_text(tools);
     ImGui::SameLine(0.0F, tools.ui.px(24.0F));
+    const float right = window.x - ImGui::CalcTextSize(text.c_str()).x - tools.ui.px(24.0F);
+    ImGui::PushClipRect({0.0F, window.y - height}, {right, window.y}, true);
     draw_message(tools);
+    ImGui::PopClipRect();
     ImGui::SameLine(window.x - ImGui::CalcTextSize(text.c_str()).x - tools.ui.px(10.0F));
     ImGui::TextDisabled("%s", text.c_str());
     ImGui::End();
