@@ -53,7 +53,7 @@ std::string studio() {
     std::string out =
         "Example: facet studio helmet.glb\n\n"
         "Drag turns the view, Shift or the right button pans, the wheel zooms; right button and "
-        "WASD, QE fly.\n"
+        "WASD, QE fly; Alt turns the environment.\n"
         "A click chooses a material. Drop a .gltf, .glb, .hdr or .exr on the window, or a picture "
         "on a texture's row.\n\nKeys\n";
     for (const auto& row : facet::studio::actions)

@@ -168,6 +168,20 @@ bool move_view(Orbit& orbit, const PanelTools& tools, float height_px, bool hove
     return true;
 }
 
+/// Alt and a drag turn the environment. True while they do.
+bool turn_environment(PanelTools& tools, bool active) {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (!active || !io.KeyAlt) return false;
+    constexpr float degrees_per_px = 0.5F;
+    const float turned =
+        tools.editor.document.settings.env_rotation + io.MouseDelta.x * degrees_per_px;
+    if (io.MouseDelta.x != 0.0F)
+        tools.editor.edit("env_rotation", [&](tables::Settings& settings) {
+            settings.env_rotation = std::remainder(turned, 360.0F);
+        });
+    return true;
+}
+
 /// Orbit, pan, zoom and fly as in Blender and in model viewers.
 void navigate(PanelTools& tools, const Area& area) {
     ImGui::SetCursorScreenPos({area.low_px.x, area.low_px.y});
@@ -188,6 +202,7 @@ void navigate(PanelTools& tools, const Area& area) {
                                 static_cast<float>(drawn.height) / area.size_px.y);
     if (hovered) tools.editor.wanted.probe_px = at * to_picture;
     if (clicked) tools.editor.wanted.pick_px = at * to_picture;
+    if (turn_environment(tools, active)) return;
     Orbit orbit = orbit_of(tools.stage.job().camera, tools.stage.scene().bounds_m());
     const auto& held = tools.editor.orbit;
     if (held && camera_text(*held) == tools.editor.document.settings.camera) orbit = *held;
