@@ -20,6 +20,32 @@ std::string ending_of(const fs::path& path) {
     return ending;
 }
 
+/// Whether what the scene came from is in the file still: it may have been written since.
+bool has_sources(const gltf::Asset& asset, const Scene& scene) {
+    const std::size_t materials = gltf::count_at(asset.json, "materials");
+    const std::size_t nodes = gltf::count_at(asset.json, "nodes");
+    return std::all_of(scene.materials.begin(), scene.materials.end(),
+                       [&](const Material& m) { return !m.source || *m.source < materials; }) &&
+           std::all_of(scene.lights.begin(), scene.lights.end(), [&](const Light& light) {
+               if (!light.source_node) return true;
+               const gltf::Json* const node =
+                   *light.source_node < nodes
+                       ? gltf::element_at(asset.json, "nodes", *light.source_node)
+                       : nullptr;
+               const gltf::Json* const use =
+                   node == nullptr ? nullptr
+                                   : gltf::find_path(*node, "extensions/KHR_lights_punctual");
+               return use != nullptr && gltf::index_at(*use, "light").has_value();
+           });
+}
+
+tl::unexpected<base::Error> changed_since(const std::string& source) {
+    return base::fail({.code = base::ErrorCode::input_invalid,
+                       .file = source,
+                       .what = "is not the file that was opened any more",
+                       .remedy = "save under another name, or open it again"});
+}
+
 base::Result<gltf::Asset> open(const SaveRequest& request, const fs::path& path,
                                const base::Limits& limits) {
     auto file = base::read_file(path, limits.file_bytes);
@@ -31,11 +57,7 @@ base::Result<gltf::Asset> open(const SaveRequest& request, const fs::path& path,
                                    .folder = folder,
                                    .allowed_folders = request.options.allowed_folders},
                                   limits, problems);
-    if (!asset)
-        return base::fail({.code = base::ErrorCode::input_invalid,
-                           .file = request.source,
-                           .what = "is not the file that was opened any more",
-                           .remedy = "open it again"});
+    if (!asset || !has_sources(*asset, request.original)) return changed_since(request.source);
     gltf::read_buffers(*asset, limits, problems);
     return std::move(*asset);
 }
@@ -60,9 +82,7 @@ base::Status write(const fs::path& folder, const std::vector<gltf::SideFile>& fi
     return {};
 }
 
-}  // namespace
-
-base::Result<Saved> save(const SaveRequest& request, const base::Limits& limits) {
+base::Result<Saved> save_unguarded(const SaveRequest& request, const base::Limits& limits) {
     const std::string ending = ending_of(request.target);
     const bool to_glb = ending == ".glb";
     if (!to_glb && ending != ".gltf")
@@ -102,6 +122,20 @@ base::Result<Saved> save(const SaveRequest& request, const base::Limits& limits)
         return tl::unexpected(s.error());
     out.files.push_back(request.target);
     return out;
+}
+
+}  // namespace
+
+base::Result<Saved> save(const SaveRequest& request, const base::Limits& limits) {
+    try {
+        return save_unguarded(request, limits);
+    } catch (const nlohmann::json::exception&) {
+        // A member of another type than glTF says, where loading did not have to look.
+        return base::fail({.code = base::ErrorCode::input_invalid,
+                           .file = request.source,
+                           .what = "cannot be saved over: a part of it is not as glTF has it",
+                           .remedy = "facet check tells which"});
+    }
 }
 
 }  // namespace facet::scene

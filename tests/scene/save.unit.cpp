@@ -203,6 +203,25 @@ TEST(Save, RefusesWhatItCannotWriteAndLeavesEverythingAsItWas) {
     EXPECT_EQ(folder.entry_count(), 1);
 }
 
+TEST(Save, AFileThatBecameAnotherIsNotSavedOver) {
+    const TemporaryFolder folder;
+    const std::string source = write_scene(folder);
+    const Scene scene = loaded(source);
+    Scene edited = scene;
+    ASSERT_TRUE(apply_set(edited, "material.paint.roughness=0.7"));
+    ASSERT_TRUE(apply_set(edited, "light.lamp.candela=9"));
+    for (const char* other : {R"({"asset": {"version": "2.0"}})", "{", "", R"({"nodes": 3})",
+                              R"({"asset": {"version": "2.0"}, "materials": [3], "scene": "a",
+                                 "nodes": [{}, {"extensions": {"KHR_lights_punctual": {"light": 0}}}]})"}) {
+        folder.write("in/scene.gltf", other);
+        const auto saved = save({source, scene, edited, source, {}}, {});
+        ASSERT_FALSE(saved) << other;
+        EXPECT_EQ(text_of(source), other);
+    }
+    std::filesystem::remove(source);
+    EXPECT_FALSE(save({source, scene, edited, source, {}}, {}));
+}
+
 /// Saves, loads and compares one scene, untouched and edited.
 void round_trip(const std::string& source, const TemporaryFolder& folder) {
     base::ThreadPool pool(1);
