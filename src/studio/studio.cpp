@@ -35,6 +35,7 @@ constexpr double caret_s = 0.4;
 constexpr double moving_s = 0.25;
 /// Frames of a drag are to take no longer: 16 a second, in the largest window.
 constexpr double wanted_frame_ms = 62.0;
+constexpr double slowest_frame_ms = 66.0;
 /// After the last input, where a sample at full size would make the next one wait.
 constexpr auto patience = std::chrono::milliseconds(700);
 constexpr float offscreen_frame_s = 1.0F / 60.0F;
@@ -100,6 +101,7 @@ private:
     math::Extent area_px_;
     std::uint32_t frame_ = 0;
     std::uint32_t calm_frames_ = 0;  ///< drawn since something happened
+    bool skipped_ = false;           ///< the picture, in this frame
     double ui_ms_ = 8.0;             ///< that a frame takes without its picture
     Clock::time_point last_change_{};
     Clock::time_point last_input_{};
@@ -184,6 +186,9 @@ base::Status Studio::step_stage() {
                           .budget_ms = std::clamp(wanted_frame_ms - ui_ms_, 12.0, 55.0),
                           .moving = since.count() < moving_s && held,
                           .patient = request_.offscreen || Clock::now() - last_input_ > patience};
+    // Where both do not fit into a frame, the picture takes every other one.
+    skipped_ = scenery.moving && !skipped_ && ui_ms_ + stage_->last_ms() > slowest_frame_ms;
+    if (skipped_) return {};
     auto stepped = stage_->step(scenery, *pictures_);
     if (!stepped) return stepped;
     truth_->update(screen_->gl(), *stage_, editor_, *pictures_, inspection_);
@@ -327,7 +332,7 @@ base::Status Studio::run() {
         ++frame_;
         if (request_.frames > 0 && frame_ == request_.frames && !request_.shot.empty())
             shot_ = request_.shot;
-        if (input_.window_px.pixels() == 0) continue;                    // an iconified window
+        if (input_.window_px.pixels() == 0) continue;  // an iconified window
         const bool changes = commands_->sees_changes();
         if (wait_s() == idle_s && !changes) continue;  // nothing to draw
         if (changes) calm_frames_ = 0;
