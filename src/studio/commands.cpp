@@ -33,6 +33,9 @@ std::size_t Commands::material() const {
 
 base::Status Commands::open_scene(const Document& document) {
     if (auto s = tools_.stage.open(document, tools_.steady); !s) return s;
+    // Textures of the scene before are gone.
+    for (const Slot slot : {Slot::viewport, Slot::original, Slot::reference, Slot::difference})
+        tools_.ui.pictures.hide(slot);
     Editor& editor = tools_.editor;
     editor.document = document;
     editor.opened = document.settings;
@@ -249,6 +252,7 @@ void Commands::look_at_files() {
     // The document stays: edits are laid over what the file says now.
     if (auto s = tools_.stage.open(tools_.editor.document, tools_.steady); !s)
         return tools_.editor.complain(s.error());
+    tools_.ui.pictures.hide(Slot::viewport);
     scene_files_.set(tools_.stage.job().reads);
     tools_.editor.say(Message::Kind::note, tools_.ui.t("studio.scene_reloaded"));
 }

@@ -219,6 +219,10 @@ void History::redo(tables::Settings& settings) {
     seal();
     move(undone_, done_, settings);
 }
+void History::keep(std::size_t count) {
+    seal();
+    if (done_.size() > count) done_.resize(count);
+}
 void History::clear() {
     done_.clear();
     undone_.clear();

@@ -67,6 +67,8 @@ public:
     void undo(tables::Settings& settings);
     void redo(tables::Settings& settings);
     void clear();
+    /// Forgets the newest steps beyond `count`: they came to nothing.
+    void keep(std::size_t count);
 
 private:
     struct Step {

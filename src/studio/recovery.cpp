@@ -80,7 +80,6 @@ base::Result<Document> parse_recovery(std::string_view text) {
 Recovery::Recovery(fs::path folder) : folder_(std::move(folder)) {
     if (!folder_.empty()) own_ = folder_ / fmt::format("{}{}.json", prefix, ::getpid());
 }
-Recovery::~Recovery() { drop(); }
 
 base::Status Recovery::keep(const Document& document) {
     if (own_.empty()) return {};

@@ -22,18 +22,15 @@ struct Recovered {
     Document document;
 };
 
-/// One file for this process, written at every step of work and taken away when it is saved.
+/// One file for this process, written at every step of work.
 class Recovery {
 public:
     /// `folder`: where the files lie; empty: nothing is kept.
     explicit Recovery(std::filesystem::path folder);
-    /// Takes the file away.
-    ~Recovery();
-    Recovery(const Recovery&) = delete;
-    Recovery& operator=(const Recovery&) = delete;
 
     /// Errors: as base::write_file_atomically.
     [[nodiscard]] base::Status keep(const Document& document);
+    /// Takes the file away. What nobody drops stays: however a session ends, its work is kept.
     void drop();
     /// The newest work of a process that is no more.
     [[nodiscard]] std::optional<Recovered> find() const;

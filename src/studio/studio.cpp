@@ -100,9 +100,12 @@ private:
     Theme theme_ = Theme::dark;
     math::Extent area_px_;
     std::uint32_t frame_ = 0;
-    std::uint32_t calm_frames_ = 0;  ///< drawn since something happened
-    bool skipped_ = false;           ///< the picture, in this frame
-    double ui_ms_ = 8.0;             ///< that a frame takes without its picture
+    std::uint32_t calm_frames_ = 0;   ///< drawn since something happened
+    bool skipped_ = false;            ///< the picture, in this frame
+    tables::Settings good_settings_;  ///< the last that were drawn
+    std::size_t good_steps_ = 0;
+    bool playing_ = false;  ///< a script did something in this frame
+    double ui_ms_ = 8.0;    ///< that a frame takes without its picture
     Clock::time_point last_change_{};
     Clock::time_point last_input_{};
     math::Vec2 mouse_px_{-1.0F};
@@ -234,9 +237,14 @@ base::Status Studio::draw_frame() {
     if (!(before == editor_.document.settings)) last_change_ = now;
     const auto before_picture = Clock::now();
     if (auto s = step_stage(); !s) {
+        if (playing_) return s;  // a script's step that does not work
         // What cannot be drawn was not done.
         editor_.complain(s.error());
-        editor_.document.settings = before;
+        editor_.document.settings = good_settings_;
+        editor_.history.keep(good_steps_);
+    } else {
+        good_settings_ = editor_.document.settings;
+        good_steps_ = editor_.history.undo_count();
     }
     const auto after_picture = Clock::now();
     const auto target = screen_->begin(input_.window_px, theme_ == Theme::dark ? 0.1F : 0.8F);
@@ -326,6 +334,7 @@ base::Status Studio::run() {
         if (!input_.is_idle() || input_.mouse_px != mouse_px_) last_input_ = Clock::now();
         mouse_px_ = input_.mouse_px;
         if (!input_.is_idle() || !stage_->is_finished() || !truth_->is_quiet()) calm_frames_ = 0;
+        playing_ = !player_.is_done();
         const auto played = player_.play(input_, *ui_, progress(),
                                          [this](const ScriptStep& step) { return act(step); });
         if (!played) return played;
@@ -340,7 +349,13 @@ base::Status Studio::run() {
         if (auto s = draw_frame(); !s) return s;
     }
     commands_->discard();
-    if (!request_.offscreen && !(config_ == config_on_disk_)) save_config(config_);
+    const bool has_habits = !request_.offscreen && !request_.has_script && request_.frames == 0;
+    if (!has_habits) return {};
+    const auto points = [&](std::uint32_t px) {
+        return static_cast<std::uint32_t>(static_cast<float>(px) / std::max(scale_, 0.5F));
+    };
+    config_.window_points = {points(input_.window_px.width), points(input_.window_px.height)};
+    if (!(config_ == config_on_disk_)) save_config(config_);
     return {};
 }
 

@@ -106,6 +106,17 @@ TEST(History, ADragIsOneStepAndTheViewIsNone) {
     EXPECT_EQ(settings.camera, "orbit:azimuth=10") << "where one looks from is not undone";
 }
 
+TEST(History, StepsThatCameToNothingAreForgotten) {
+    tables::Settings settings;
+    History history;
+    history.record("a", settings);
+    history.seal();
+    history.record("b", settings);
+    history.keep(1);
+    EXPECT_EQ(history.undo_count(), 1U);
+    EXPECT_EQ(history.last_name(), "a");
+}
+
 TEST(History, AnEditForgetsWhatWasUndone) {
     tables::Settings settings;
     History history;

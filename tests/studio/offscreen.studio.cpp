@@ -189,6 +189,9 @@ TEST(Studio, RefusesWhatCannotWorkInOneLine) {
     refused({"builtin:furnace", "--offscreen"}, 2, "--frames");
     refused({"builtin:furnace", "--offscreen", "--do", "bad.txt"}, 2, "line 2");
     refused({"builtin:furnace", "--offscreen", "--do", "lost.txt"}, 2, "no_such_widget");
+    refused({"builtin:furnace", "--offscreen", "--do", "set.txt"}, 2, "gold");
+    folder.write("value.txt", "set background pink\nwait\n");
+    refused({"builtin:furnace", "--offscreen", "--do", "value.txt"}, 2, "--background");
     refused({"no-such.glb", "--offscreen", "--frames", "1"}, 3, "no-such.glb");
     refused({"builtin:furnace", "--offscreen", "--frames", "1", "--lang", "de"}, 2, "en");
     refused({"builtin:furnace", "--offscreen", "--frames", "1", "--theme", "pink"}, 2, "dark");
