@@ -13,9 +13,6 @@
 
 namespace facet::cli {
 
-/// `--env-rotation` for `env_rotation`.
-[[nodiscard]] std::string flag_name(std::string_view key);
-
 /// What was typed for each row of tables::settings, before it is read.
 struct TypedSettings {
     std::array<std::vector<std::string>, tables::settings.size()> texts;
@@ -29,11 +26,6 @@ struct TypedSettings {
     /// flag, the value and what it takes.
     [[nodiscard]] base::Result<tables::Settings> read() const;
 };
-
-/// Reads `texts` into the field of one row. Errors: usage (what), limit_reached (a picture too
-/// large).
-[[nodiscard]] base::Status assign(tables::Settings& settings, const tables::Setting& row,
-                                  const std::vector<std::string>& texts);
 
 /// A warning for each variable FACET_* of the environment that nothing reads, with the nearest
 /// right name.

@@ -5,6 +5,7 @@
 #include "base/resources.h"
 #include "base/text.h"
 #include "render/job.h"
+#include "tables/settings_text.h"
 
 #include <spdlog/fmt/fmt.h>
 
@@ -97,7 +98,10 @@ void Commands::act_file(Action action) {
     if (action != Action::copy_command) return;
     const auto document = command_document();
     if (!document) return editor.complain(document.error());
-    ImGui::SetClipboardText(render_command(*document, stem + ".png").c_str());
+    ImGui::SetClipboardText(
+        tables::command_line(
+            tables::command_words("render", document->scene, document->settings, stem + ".png"))
+            .c_str());
     editor.say(Message::Kind::note, tools_.ui.t("studio.command_copied"));
 }
 

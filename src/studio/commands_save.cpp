@@ -7,6 +7,7 @@
 #include "scene/material_file.h"
 #include "scene/save.h"
 #include "studio/commands.h"
+#include "tables/settings_text.h"
 
 #include <spdlog/fmt/fmt.h>
 
@@ -54,7 +55,8 @@ base::Status Commands::save_picture(const fs::path& path) {
     if (auto writable = base::check_writable(path); !writable) return writable;
     const auto document = command_document();
     if (!document) return tl::unexpected(document.error());
-    auto child = Child::start(render_arguments(*document, path.string()));
+    auto child = Child::start(
+        tables::command_words("render", document->scene, document->settings, path.string()));
     if (!child) return tl::unexpected(child.error());
     child_ = std::move(*child);
     child_output_ = path;

@@ -36,20 +36,6 @@ void clear_path(tables::Settings& settings, std::string_view path);
 /// What set_path() gave `path`; empty where it gave nothing.
 [[nodiscard]] std::string path_value(const tables::Settings& settings, std::string_view path);
 
-/// The words of the `facet render` command that makes the document's picture, for a shell.
-[[nodiscard]] std::string render_command(const Document& document, const std::string& output);
-/// The same as arguments.
-[[nodiscard]] std::vector<std::string> render_arguments(const Document& document,
-                                                        const std::string& output);
-/// The texts that stand for a setting on the command line: none where it is as it was initially.
-[[nodiscard]] std::vector<std::string> setting_texts(const tables::Settings& settings,
-                                                     const tables::Setting& row);
-
-/// Sets one setting from such texts. Errors: usage (no such setting, not a value of it); whether it
-/// is in its range is make_plan()'s to say.
-[[nodiscard]] base::Status assign_setting(tables::Settings& settings, std::string_view key,
-                                          const std::vector<std::string>& texts);
-
 /// Undo and redo without limit. An edit under the same name as the one before replaces it, until
 /// it is sealed: a drag of a slider is one step.
 class History {

@@ -4,6 +4,7 @@
 
 #include "base/file.h"
 #include "base/text.h"
+#include "tables/settings_text.h"
 
 #include <nlohmann/json.hpp>
 #include <signal.h>
@@ -37,7 +38,7 @@ base::Status read_setting(const std::string& key, const Json& value, tables::Set
         if (!text.is_string()) return invalid("/settings/" + key, "not a string");
         texts.push_back(text.get<std::string>());
     }
-    return assign_setting(settings, key, texts).map_error([&](base::Error error) {
+    return tables::assign(settings, key, texts).map_error([&](base::Error error) {
         error.code = base::ErrorCode::input_invalid;
         error.where = "/settings/" + key;
         return error;
@@ -56,7 +57,7 @@ bool is_in_use(const fs::path& file) {
 std::string recovery_text(const Document& document) {
     Json settings = Json::object();
     for (const tables::Setting& row : tables::settings)
-        if (const auto texts = setting_texts(document.settings, row); !texts.empty())
+        if (const auto texts = tables::texts_of(document.settings, row); !texts.empty())
             settings[std::string(row.key)] = texts;
     const Json json = {{"facet", 1}, {"scene", document.scene}, {"settings", settings}};
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -16,6 +16,7 @@
 #include "studio/screen.h"
 #include "studio/thumbnails.h"
 #include "studio/truth.h"
+#include "tables/settings_text.h"
 
 #include <algorithm>
 #include <chrono>
@@ -279,7 +280,7 @@ base::Status Studio::act(const ScriptStep& step) {
             }
             base::Status assigned;
             editor_.edit(step.words[0], [&](tables::Settings& s) {
-                assigned = assign_setting(s, step.words[0], {value});
+                assigned = tables::assign(s, step.words[0], {value});
             });
             return assigned;
         }

@@ -36,35 +36,6 @@ TEST(Document, EveryFloatIsSaidInDecimalsThatReadBackToIt) {
     }
 }
 
-TEST(Document, TheCommandQuotesForAShellAndLeavesOutWhatIsInitial) {
-    Document document{"my model.glb", {}};
-    EXPECT_EQ(render_command(document, "out.png"), "facet render 'my model.glb' -o out.png");
-    document.settings.env_rotation = 30.0F;
-    document.settings.no_file_lights = true;
-    document.settings.size = {64, 32};
-    document.settings.aov = {"normal", "depth"};
-    set_path(document.settings, "material.It's.base_color", "1 0 0");
-    EXPECT_EQ(render_command(document, "o.png"),
-              "facet render 'my model.glb' -o o.png --size 64x32 --aov normal,depth "
-              "--env-rotation 30 --no-file-lights --set 'material.It'\\''s.base_color=1 0 0'");
-}
-
-TEST(Document, EverySettingThatIsSaidIsTakenBack) {
-    tables::Settings settings;
-    settings.size = {640, 480};
-    settings.ev = 3.5F;
-    settings.samples = 4;
-    settings.strict = true;
-    settings.env = "sky:turbidity=3";
-    settings.light = {"point:candela=2", "spot:candela=3"};
-    tables::Settings again;
-    for (const tables::Setting& row : tables::settings)
-        if (const auto texts = setting_texts(settings, row); !texts.empty()) {
-            ASSERT_TRUE(assign_setting(again, row.key, texts)) << row.key;
-        }
-    EXPECT_TRUE(again == settings);
-}
-
 TEST(History, TwoHundredStepsGoBackAndForthToTheSameSettings) {
     tables::Settings settings;
     History history;
