@@ -36,6 +36,11 @@ find_path(FACET_GL_INCLUDE GL/glcorearb.h REQUIRED)
 add_library(facet_dep_gl_headers INTERFACE)
 target_include_directories(facet_dep_gl_headers SYSTEM INTERFACE ${FACET_GL_INCLUDE})
 
+# Markdown of lessons; the parser alone.
+pkg_check_modules(md4c REQUIRED IMPORTED_TARGET md4c)
+add_library(facet_dep_markdown INTERFACE)
+target_link_libraries(facet_dep_markdown INTERFACE PkgConfig::md4c)
+
 find_package(embree 3 REQUIRED)
 add_library(facet_dep_embree INTERFACE)
 target_link_libraries(facet_dep_embree INTERFACE embree)

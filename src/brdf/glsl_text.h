@@ -17,4 +17,8 @@ enum class Parts { shading, sampling };
 [[nodiscard]] base::Result<std::string> glsl_text(const tables::BrdfChoice& choice,
                                                   Parts parts = Parts::shading);
 
+/// The text for every choice at once, with its sampling: `uniform int chosen_SLOT` for each slot of
+/// tables::brdf_slots holds the index of its value. Lessons in a browser switch terms by it.
+[[nodiscard]] base::Result<std::string> glsl_text_of_all();
+
 }  // namespace facet::brdf

@@ -249,8 +249,9 @@ std::string svg_page(const std::string& title, const std::string& subtitle,
     const std::size_t columns = std::min(across, std::max<std::size_t>(figures.size(), 1));
     const std::size_t rows = (figures.size() + columns - 1) / columns;
     const double width = cell_width * static_cast<double>(columns);
+    const double head = title.empty() ? 0.0 : head_height;
     double legend_height = 0.0;
-    const double legend_y = head_height + cell_height * static_cast<double>(rows);
+    const double legend_y = head + cell_height * static_cast<double>(rows);
     const std::string names = legend(figures, width, legend_y, legend_height);
     const double height = legend_y + legend_height + 8.0;
     std::string out = fmt::format(
@@ -258,11 +259,14 @@ std::string svg_page(const std::string& title, const std::string& subtitle,
         "width=\"{0:.0f}\" height=\"{1:.0f}\" "
         "role=\"img\">\n<title>{2}</title>\n<style>{3}</style>\n"
         "<rect class=\"page\" width=\"{0:.0f}\" height=\"{1:.0f}\"/>\n",
-        width, height, escaped(title), style);
-    out += text_at(24, 32, "start", "title", title) + text_at(24, 53, "start", "faint", subtitle);
+        width, height, escaped(title.empty() && !figures.empty() ? figures.front().title : title),
+        style);
+    if (!title.empty())
+        out +=
+            text_at(24, 32, "start", "title", title) + text_at(24, 53, "start", "faint", subtitle);
     for (std::size_t i = 0; i < figures.size(); ++i) {
         const double x = cell_width * static_cast<double>(i % columns);
-        const double y = head_height + cell_height * static_cast<double>(i / columns);
+        const double y = head + cell_height * static_cast<double>(i / columns);
         out += figures[i].kind == FigureKind::polar ? PolarChart(figures[i], x, y).draw()
                                                     : LineChart(figures[i], x, y).draw();
     }

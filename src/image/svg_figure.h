@@ -39,9 +39,9 @@ struct Figure {
     std::vector<Curve> curves;
 };
 
-/// Figures in rows of `across`, under a title and a line of text, above one legend for all (the
-/// names of the first figure that has any). The text is UTF-8 and escaped here; widths suit
-/// printing and screens from 720 px on.
+/// Figures in rows of `across`, under a title and a line of text (neither where the title is
+/// empty), above one legend for all (the names of the first figure that has any). The text is UTF-8
+/// and escaped here; widths suit printing and screens from 720 px on.
 [[nodiscard]] std::string svg_page(const std::string& title, const std::string& subtitle,
                                    const std::vector<Figure>& figures, std::size_t across);
 

@@ -1,0 +1,269 @@
+// Numbers about light on a surface, as lessons ask for them.
+// SPDX-License-Identifier: MIT
+#include "teach/ask.h"
+
+#include "base/text.h"
+#include "brdf/choice.h"
+#include "brdf/metal_spectra.h"
+#include "brdf/presets.h"
+#include "brdf/terms.h"
+#include "math/blackbody.h"
+#include "teach/monte_carlo.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace facet::teach {
+namespace {
+
+using brdf::QueryTerm;
+
+constexpr double degree = 3.14159265358979323846 / 180.0;
+/// Below this the model's cosines divide by nothing.
+constexpr double smallest_cosine = 1e-6;
+
+brdf::QuerySurface surface_of(const Ask& ask) {
+    return {ask.roughness, ask.metallic, ask.f0, ask.base, std::max(ask.n_dot_v, smallest_cosine)};
+}
+
+brdf::LightNode node_of(const Ask& ask) {
+    brdf::LightNode node =
+        brdf::cosines_of(std::max(ask.n_dot_v, smallest_cosine), ask.n_dot_l, ask.phi_deg);
+    if (ask.n_dot_h) node.n_dot_h = *ask.n_dot_h;
+    if (ask.v_dot_h) node.v_dot_h = *ask.v_dot_h;
+    return node;
+}
+
+template <QueryTerm term>
+double term_of(Answers& answers, const Ask& ask) {
+    return answers.queries(ask.choice).value(term, surface_of(ask), node_of(ask));
+}
+
+double albedo_of(Answers& answers, const Ask& ask) { return answers.reflectance(ask).specular; }
+double entered_of(Answers& answers, const Ask& ask) { return answers.reflectance(ask).diffuse; }
+double furnace_of(Answers& answers, const Ask& ask) { return answers.reflectance(ask).sum(); }
+double residual_of(Answers& answers, const Ask& ask) { return furnace_of(answers, ask) - 1.0; }
+double absorbed_of(Answers& answers, const Ask& ask) { return 1.0 - furnace_of(answers, ask); }
+double split_a_of(Answers& answers, const Ask& ask) {
+    return answers.queries(ask.choice).albedo(ask.n_dot_v, ask.roughness).a;
+}
+double split_b_of(Answers& answers, const Ask& ask) {
+    return answers.queries(ask.choice).albedo(ask.n_dot_v, ask.roughness).b;
+}
+double average_of(Answers& answers, const Ask& ask) {
+    return answers.queries(ask.choice).albedo(ask.n_dot_v, ask.roughness).average;
+}
+
+double dielectric_of(Answers&, const Ask& ask) {
+    return brdf::Terms<double>{}.f_dielectric(ask.v_dot_h.value_or(1.0), ask.ior);
+}
+
+double metal_of(Answers&, const Ask& ask) {
+    std::size_t metal = 0;
+    for (std::size_t i = 0; i < brdf::metal_spectra.size(); ++i)
+        if (brdf::metal_spectra[i].name == ask.metal) metal = i;
+    const math::Vec3 color = brdf::metal_reflectance(metal, ask.v_dot_h.value_or(1.0));
+    return static_cast<double>(color[static_cast<int>(ask.channel)]);
+}
+
+double blackbody_of(Answers&, const Ask& ask) {
+    const math::Vec3 color = math::blackbody_color(static_cast<float>(ask.kelvin));
+    return static_cast<double>(color[static_cast<int>(ask.channel)]);
+}
+
+/// Phong's lobe around the mirrored view. A quarter of Blinn's exponent makes it as wide.
+double phong_of(Answers&, const Ask& ask) {
+    const double sine_v = std::sqrt(std::max(0.0, 1.0 - ask.n_dot_v * ask.n_dot_v));
+    const double sine_l = std::sqrt(std::max(0.0, 1.0 - ask.n_dot_l * ask.n_dot_l));
+    const double v_dot_l =
+        ask.n_dot_v * ask.n_dot_l + sine_v * sine_l * std::cos(ask.phi_deg * degree);
+    const double r_dot_l = std::max(0.0, 2.0 * ask.n_dot_v * ask.n_dot_l - v_dot_l);
+    const double alpha = std::max(ask.roughness * ask.roughness, 1e-3);
+    const double exponent = (2.0 / (alpha * alpha) - 2.0) / 4.0;
+    return brdf::Terms<double>{}.phong(r_dot_l, exponent);
+}
+
+double estimate_of(Answers& answers, const Ask& ask) {
+    return estimate(answers.queries(ask.choice), sampling_of(ask), 1);
+}
+double error_of(Answers& answers, const Ask& ask) {
+    return relative_error(answers.queries(ask.choice), sampling_of(ask), furnace_of(answers, ask));
+}
+
+struct Kind {
+    AskName name;
+    double (*answer)(Answers&, const Ask&);
+    std::string_view table = {};  ///< the action of `facet brdf` that prints it
+};
+constexpr Kind kinds[] = {
+    {{"D", "normal distribution, 1/sr"}, term_of<QueryTerm::d>, "eval"},
+    {{"G", "masking and shadowing"}, term_of<QueryTerm::g>, "eval"},
+    {{"V", "G / (4 n.v n.l)"}, term_of<QueryTerm::v>, "eval"},
+    {{"F", "Fresnel reflectance, F0 mixed by metallic"}, term_of<QueryTerm::f>, "eval"},
+    {{"specular", "D V F with its compensation, 1/sr"}, term_of<QueryTerm::specular>, "eval"},
+    {{"diffuse", "the diffuse lobe for albedo 1 without k_d, 1/sr"},
+     term_of<QueryTerm::diffuse>,
+     "eval"},
+    {{"full", "the whole BRDF, 1/sr"}, term_of<QueryTerm::full>, "eval"},
+    {{"model_specular", "the specular part of full"}, term_of<QueryTerm::model_specular>},
+    {{"model_diffuse", "the diffuse part of full"}, term_of<QueryTerm::model_diffuse>},
+    {{"albedo", "share of the light from everywhere that the specular lobe reflects"},
+     albedo_of,
+     "albedo"},
+    {{"transmitted", "share that enters and comes back as diffuse light"}, entered_of, "albedo"},
+    {{"absorbed", "share that does not come back"}, absorbed_of, "albedo"},
+    {{"furnace", "share that comes back in all"}, furnace_of, "furnace"},
+    {{"residual", "furnace - 1"}, residual_of, "furnace"},
+    {{"split_a", "A of the split sum"}, split_a_of},
+    {{"split_b", "B of the split sum"}, split_b_of},
+    {{"average", "mean of A + B over the hemisphere"}, average_of},
+    {{"dielectric", "exact Fresnel reflectance for an index, at v.h"}, dielectric_of},
+    {{"metal", "exact reflectance of a metal in a channel, at v.h"}, metal_of},
+    {{"blackbody", "linear Rec.709 of a black body of luminance 1, in a channel"}, blackbody_of},
+    {{"phong", "Phong's lobe, as wide as the roughness's, 1/sr"}, phong_of},
+    {{"estimate", "Monte Carlo estimate of furnace"}, estimate_of},
+    {{"error", "its relative error, root mean square"}, error_of},
+};
+
+const Kind* kind_of(std::string_view name) {
+    const auto* found =
+        std::ranges::find_if(kinds, [&](const Kind& kind) { return kind.name.name == name; });
+    return found == std::end(kinds) ? nullptr : found;
+}
+
+/// A number of Ask by the name that lesson.json has for it.
+struct Variable {
+    std::string_view name;
+    tables::Range range;
+    void (*set)(Ask&, double);
+};
+constexpr Variable variables[] = {
+    {"roughness", {0, 1}, [](Ask& a, double x) { a.roughness = x; }},
+    {"metallic", {0, 1}, [](Ask& a, double x) { a.metallic = x; }},
+    {"f0", {0, 1}, [](Ask& a, double x) { a.f0 = x; }},
+    {"base", {0, 1}, [](Ask& a, double x) { a.base = x; }},
+    {"n_dot_v", {0, 1}, [](Ask& a, double x) { a.n_dot_v = x; }},
+    {"n_dot_l", {0, 1}, [](Ask& a, double x) { a.n_dot_l = x; }},
+    {"n_dot_h", {0, 1}, [](Ask& a, double x) { a.n_dot_h = x; }},
+    {"v_dot_h", {0, 1}, [](Ask& a, double x) { a.v_dot_h = x; }},
+    {"phi", {-360, 360}, [](Ask& a, double x) { a.phi_deg = x; }},
+    {"theta_v", {0, 90}, [](Ask& a, double x) { a.n_dot_v = std::cos(x * degree); }},
+    // Left of the normal, where the viewer is, angles are negative.
+    {"theta_l",
+     {-90, 90},
+     [](Ask& a, double x) {
+         a.n_dot_l = std::cos(x * degree);
+         a.phi_deg = x < 0.0 ? 0.0 : 180.0;
+     }},
+    {"theta_h", {0, 90}, [](Ask& a, double x) { a.n_dot_h = std::cos(x * degree); }},
+    {"theta_d", {0, 90}, [](Ask& a, double x) { a.v_dot_h = std::cos(x * degree); }},
+    {"theta", {0, 90}, [](Ask& a, double x) { a.n_dot_v = a.n_dot_l = std::cos(x * degree); }},
+    {"ior", {0.01F, 100}, [](Ask& a, double x) { a.ior = x; }},
+    {"channel", {0, 2}, [](Ask& a, double x) { a.channel = x; }},
+    {"kelvin", {1000, 15000}, [](Ask& a, double x) { a.kelvin = x; }},
+    {"samples", {1, 65536}, [](Ask& a, double x) { a.samples = x; }},
+};
+
+void read_names(Fields& fields, Ask& ask) {
+    ask.what = fields.text("ask", ask.what);
+    if (kind_of(ask.what) == nullptr) {
+        std::vector<std::string> names;
+        for (const Kind& kind : kinds) names.emplace_back(kind.name.name);
+        fields.refuse("ask", "no such question", ask.what, base::suggestion(ask.what, names));
+    }
+    ask.brdf = fields.text("brdf", ask.brdf);
+    if (const auto choice = brdf::parse_choice(ask.brdf, brdf::Use::lesson))
+        ask.choice = *choice;
+    else
+        fields.keep(choice.error(), "brdf");
+    ask.metal = fields.text("metal", ask.metal);
+    std::vector<std::string> metals;
+    for (const auto& metal : brdf::metal_spectra) metals.emplace_back(metal.name);
+    if (std::ranges::find(metals, ask.metal) == metals.end())
+        fields.refuse("metal", "no such metal", ask.metal, base::suggestion(ask.metal, metals));
+    ask.sampler = fields.text("sampler", ask.sampler);
+    if (!is_sampler(ask.sampler))
+        fields.refuse("sampler", "no such sampler", ask.sampler, "uniform, cosine or brdf");
+}
+
+}  // namespace
+
+const std::vector<AskName>& ask_names() {
+    static const std::vector<AskName> names = [] {
+        std::vector<AskName> out;
+        for (const Kind& kind : kinds) out.push_back(kind.name);
+        return out;
+    }();
+    return names;
+}
+
+Ask read_ask(Fields& fields, Ask initial) {
+    Ask ask = std::move(initial);
+    read_names(fields, ask);
+    constexpr double unset = -1e9;
+    for (const Variable& variable : variables) {
+        const double value = fields.number(variable.name, unset, variable.range);
+        if (value != unset) variable.set(ask, value);
+    }
+    return ask;
+}
+
+bool set_variable(Ask& ask, std::string_view name, double value) {
+    const auto* found = std::ranges::find(variables, name, &Variable::name);
+    if (found == std::end(variables)) return false;
+    found->set(ask, std::clamp(value, static_cast<double>(found->range.low),
+                               static_cast<double>(found->range.high)));
+    return true;
+}
+
+std::vector<std::string> variable_names() {
+    std::vector<std::string> out;
+    for (const Variable& variable : variables) out.emplace_back(variable.name);
+    return out;
+}
+
+double Answers::operator()(const Ask& ask) {
+    const Kind* kind = kind_of(ask.what);
+    return kind == nullptr ? 0.0 : kind->answer(*this, ask);
+}
+
+brdf::Queries& Answers::queries(const tables::BrdfChoice& choice) {
+    return queries_.try_emplace(choice, choice).first->second;
+}
+
+brdf::Reflectance Answers::reflectance(const Ask& ask) {
+    const std::vector<brdf::Question> questions =
+        brdf::reflectance_questions(ask.choice, surface_of(ask));
+    brdf::Queries& asked = queries(ask.choice);
+    std::vector<double> values;
+    values.reserve(questions.size());
+    for (const brdf::Question& q : questions)
+        values.push_back(asked.value(q.term, q.surface, q.at));
+    return brdf::reflectance(questions, values);
+}
+
+std::string command_of(const Ask& ask) {
+    const Kind* kind = kind_of(ask.what);
+    if (kind == nullptr || kind->table.empty()) return {};
+    if (kind->table == "eval") {
+        if (ask.n_dot_h || ask.v_dot_h) return {};
+        std::string model = ask.brdf;
+        std::ranges::replace(model, ',', ';');
+        return fmt::format(
+            "printf 'term,model,roughness,metallic,f0,n_dot_v,n_dot_l,phi\\n"
+            "{},{},{:g},{:g},{:g},{:g},{:g},{:g}\\n' | facet brdf eval --input -",
+            ask.what, model, ask.roughness, ask.metallic, ask.f0, ask.n_dot_v, ask.n_dot_l,
+            ask.phi_deg);
+    }
+    std::string out = fmt::format("facet brdf {} --roughness {:g} --metallic {:g} --n-dot-v {:g}",
+                                  kind->table, ask.roughness, ask.metallic, ask.n_dot_v);
+    if (ask.f0 != Ask{}.f0) out += fmt::format(" --f0 {:g}", ask.f0);
+    if (ask.base != Ask{}.base) out += fmt::format(" --base-color {:g}", ask.base);
+    if (!ask.brdf.empty()) out += " --brdf " + ask.brdf;
+    if (ask.what == "transmitted" || ask.what == "absorbed") out += " --balance";
+    return out;
+}
+
+}  // namespace facet::teach

@@ -1,0 +1,77 @@
+// The pictures of lessons, rendered.
+// SPDX-License-Identifier: MIT
+#include "teach/gallery.h"
+
+#include "image/write.h"
+#include "render/render.h"
+#include "render/viewable.h"
+#include "tables/settings_text.h"
+
+#include <algorithm>
+
+namespace facet::teach {
+namespace {
+
+std::string stem_of(const std::string& scene) {
+    const std::size_t colon = scene.find(':');
+    if (colon != std::string::npos) return scene.substr(colon + 1);
+    return std::filesystem::path(scene).stem().string();
+}
+
+tables::Settings settings_of(const Picture& picture) {
+    tables::Settings settings = picture.settings;
+    if (!picture.show.empty()) settings.aov = {picture.show};
+    return settings;
+}
+
+/// The AOV as it is looked at, transparent where no surface is.
+base::Result<image::Image> shown(const Picture& picture, const render::Rendered& rendered) {
+    if (picture.show.empty()) return rendered.display;
+    for (const image::Layer& layer : rendered.layers)
+        if (layer.name == picture.show)
+            return render::viewable(*tables::aov_named(picture.show), layer, rendered.exposure);
+    return base::fail({.what = "the picture has no such AOV", .found = picture.show});
+}
+
+}  // namespace
+
+std::string command_of(const Picture& picture) {
+    return tables::command_line(tables::command_words("render", picture.scene, settings_of(picture),
+                                                      stem_of(picture.scene) + ".png"));
+}
+
+base::Result<const Shot*> Gallery::shot(const Picture& picture) {
+    const std::string command = command_of(picture);
+    const std::string key = picture.show + "\n" + command;
+    if (const auto known = shots_.find(key); known != shots_.end()) return &known->second;
+    const auto rendered =
+        render::render({.scene = picture.scene, .settings = settings_of(picture)}, *log_);
+    if (!rendered) return tl::unexpected(rendered.error());
+    const auto image = shown(picture, *rendered);
+    if (!image) return tl::unexpected(image.error());
+    const auto bytes = image::encode(*image, {.format = tables::ImageFormat::webp});
+    if (!bytes) return tl::unexpected(bytes.error());
+    const std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+    Shot shot{.size = image->size,
+              .data_uri = "data:image/webp;base64," + base64(text),
+              .command = command};
+    return &shots_.emplace(key, std::move(shot)).first->second;
+}
+
+std::string base64(std::string_view bytes) {
+    constexpr std::string_view digits =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string out;
+    out.reserve((bytes.size() + 2) / 3 * 4);
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        std::uint32_t block = 0;
+        const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
+        for (std::size_t k = 0; k < 3; ++k)
+            block = block << 8U | (k < count ? static_cast<unsigned char>(bytes[i + k]) : 0U);
+        for (std::size_t k = 0; k < 4; ++k)
+            out += k <= count ? digits[block >> (18U - 6U * k) & 63U] : '=';
+    }
+    return out;
+}
+
+}  // namespace facet::teach
