@@ -10,6 +10,7 @@ from make_resources import check, cornell, grids, showcase
 
 COPYRIGHT = "CC0-1.0, the Facet project"
 SCENES = {
+    "ball": grids.ball,
     "showcase": showcase.build,
     "spheres": grids.spheres,
     "cornell": cornell.build,

@@ -42,3 +42,17 @@ def spheres(copyright_line):
 
 def furnace(copyright_line):
     return sphere_grid("furnace", copyright_line, (1, 1, 1), 6, 3, 40, 20)
+
+
+def ball(copyright_line):
+    """One ball of 1 m diameter: what lessons change one number of."""
+    glb = Glb(copyright_line)
+    high = 1.12
+    eye_m = 5 * high
+    glb.add_camera(
+        "front", (0, 0, eye_m), (0, 0, 0), np.degrees(2 * np.arctan(0.5 * high / eye_m)), far=1000.0
+    )
+    geometry = glb.add_geometry(replace(shapes.sphere(0.5, 96, 48), uv0=None))
+    material = glb.add_material("ball", (0.80, 0.235, 0.085), 0.0, 0.4)
+    glb.add_node("ball", mesh=glb.add_mesh("ball", geometry, material))
+    return glb.to_bytes("ball")

@@ -13,6 +13,7 @@
 #include "tables/environments.h"
 #include "tables/lights.h"
 #include "tables/tonemaps.h"
+#include "teach/lesson.h"
 
 #include <nlohmann/json.hpp>
 #include <spdlog/fmt/fmt.h>
@@ -67,6 +68,14 @@ Entries list_brdf(const std::string&) {
     return entries;
 }
 
+Entries list_lessons(const std::string&) {
+    const auto lessons = teach::all_lessons();
+    if (!lessons) return tl::unexpected(lessons.error());
+    std::vector<Entry> entries;
+    for (const teach::Lesson& lesson : *lessons)
+        entries.push_back({lesson.name, lesson.title("en")});
+    return entries;
+}
 Entries list_presets(const std::string&) {
     std::vector<Entry> entries;
     for (const brdf::Preset& preset : brdf::presets()) {
@@ -133,7 +142,7 @@ constexpr Listing listings[] = {{"scenes", list_scenes},     {"environments", li
                                 {"cameras", list_cameras},   {"materials", list_materials},
                                 {"lights", list_lights},     {"aovs", list_aovs},
                                 {"tonemaps", list_tonemaps}, {"brdf", list_brdf},
-                                {"presets", list_presets}};
+                                {"presets", list_presets},   {"lessons", list_lessons}};
 
 std::vector<std::string> names() {
     std::vector<std::string> out;

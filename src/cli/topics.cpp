@@ -9,6 +9,7 @@
 #include "tables/exit_codes.h"
 #include "tables/lights.h"
 #include "tables/material.h"
+#include "teach/ask.h"
 
 #include <spdlog/fmt/fmt.h>
 
@@ -47,6 +48,21 @@ std::string cameras() {
            "--fov DEG           vertical angle of view; it stays when the picture's shape differs "
            "from the camera's\n"
            "facet render a.glb --list cameras  names the cameras of a file\n";
+}
+
+std::string lessons() {
+    std::string out =
+        "Example: facet teach --new my-lesson && facet teach ./my-lesson -o pages\n\n"
+        "A lesson is a folder: lesson.json (pictures, plots, numbers, the canvas) and a text in "
+        "Markdown for each language.\n"
+        "In the text ![caption](strip:NAME), plot:NAME, number:NAME and live:canvas stand for what "
+        "lesson.json has under that name.\n"
+        "Formulas are LaTeX between $ or $$: \\frac \\sqrt \\left \\right \\text \\mathbf, Greek, "
+        "sums, functions, aligned.\ndocs/lessons.md has the whole form.\n\n"
+        "What numbers and curves may ask for\n";
+    for (const auto& ask : teach::ask_names())
+        out += fmt::format("  {:<15} {}\n", ask.name, ask.help);
+    return out;
 }
 
 std::string studio() {
@@ -164,9 +180,9 @@ struct Topic {
     std::string_view name;
     std::string (*text)();
 };
-constexpr Topic topics[] = {{"lights", lights},        {"cameras", cameras}, {"set", set},
-                            {"studio", studio},        {"aovs", aovs},       {"brdf-terms", brdf},
-                            {"exit-codes", exit_codes}};
+constexpr Topic topics[] = {{"lights", lights},   {"cameras", cameras},      {"set", set},
+                            {"studio", studio},   {"lessons", lessons},      {"aovs", aovs},
+                            {"brdf-terms", brdf}, {"exit-codes", exit_codes}};
 
 }  // namespace
 

@@ -27,7 +27,7 @@ constexpr LiveSlider sliders[] = {
     {"roughness", 0.03, 1.0, 0.01, 0.4},   {"metallic", 0.0, 1.0, 0.01, 0.0},
     {"f0", 0.0, 1.0, 0.005, 0.04},         {"base", 0.0, 1.0, 0.01, 0.8},
     {"view_deg", 0.0, 89.0, 1.0, 45.0},    {"light_deg", -89.0, 89.0, 1.0, 45.0},
-    {"azimuth_deg", 0.0, 180.0, 1.0, 0.0}, {"intensity", 0.1, 10.0, 0.05, 3.0},
+    {"azimuth_deg", 0.0, 180.0, 1.0, 0.0}, {"intensity", 0.1, 10.0, 0.05, 1.0},
 };
 constexpr std::string_view views[] = {"full", "specular", "diffuse", "D",       "G",      "F", "kd",
                                       "ks",   "n_dot_h",  "n_dot_l", "n_dot_v", "v_dot_h"};

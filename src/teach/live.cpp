@@ -14,24 +14,15 @@
 namespace facet::teach {
 namespace {
 
-/// GLSL ES 3.00 of a file of glsl/teach, its includes in place.
-base::Result<std::string> shader(const gl::ShaderSources& sources, const std::string& file) {
-    auto assembled = gl::assemble(sources, file, "");
-    if (!assembled) return tl::unexpected(assembled.error());
-    std::string_view body = assembled->text;
-    // Desktop GLSL's first line gives way to the browser's.
-    if (body.starts_with("#version")) body.remove_prefix(body.find('\n') + 1);
-    return fmt::format(
-        "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp "
-        "usampler2D;\n{}",
-        body);
-}
-
 Json words(const base::Texts& texts) {
     Json out = Json::object();
-    for (const char* key :
-         {"ball", "curve", "drag", "no_webgl", "values", "light", "furnace", "reset"})
+    for (const char* key : {"ball", "no_webgl", "light", "furnace", "lit_by"})
         out[key] = texts(fmt::format("teach.live_{}", key));
+    for (const char* key : {"n_dot_v", "n_dot_l", "n_dot_h", "v_dot_h", "specular", "diffuse",
+                            "full", "reflected", "transmitted"})
+        out[key] = texts(fmt::format("teach.word_{}", key));
+    for (const tables::BrdfSlot& slot : tables::brdf_slots)
+        out[fmt::format("slot_{}", slot.key)] = texts(fmt::format("teach.slot_{}", slot.key));
     return out;
 }
 
@@ -83,13 +74,19 @@ base::Result<Json> live_config(const Live& live, const base::Texts& texts) {
     if (!folder) return tl::unexpected(folder.error());
     const auto brdf_text = brdf::glsl_text_of_all();
     if (!brdf_text) return tl::unexpected(brdf_text.error());
-    const gl::ShaderSources sources{*folder / "glsl", {{"generated/brdf.glsl", *brdf_text}}};
     Json out{{"shaders", Json::object()}, {"switches", Json::array()}, {"models", Json::array()}};
-    for (const char* name :
-         {"full_screen.vert", "albedo.frag", "average.frag", "canvas.frag", "probe.frag"}) {
-        auto text = shader(sources, fmt::format("teach/{}", name));
+    // The model's text is in the page once; live.js puts it where the others have the mark.
+    const gl::ShaderSources whole{*folder / "glsl", {{"generated/brdf.glsl", *brdf_text}}};
+    const gl::ShaderSources marked{*folder / "glsl", {{"generated/brdf.glsl", "//@brdf"}}};
+    for (const char* file : {"generated/brdf.glsl", "frame/full_screen.vert", "teach/albedo.frag",
+                             "teach/average.frag", "teach/canvas.frag", "teach/probe.frag"}) {
+        const bool is_model = std::string_view(file).starts_with("generated");
+        auto text = gl::assemble(is_model ? whole : marked, file, "");
         if (!text) return tl::unexpected(text.error());
-        out["shaders"][name] = std::move(*text);
+        std::string_view body = text->text;
+        // Desktop GLSL's first line gives way to the browser's.
+        if (body.starts_with("#version")) body.remove_prefix(body.find('\n') + 1);
+        out["shaders"][file] = body;
     }
     for (const tables::BrdfSlot& slot : tables::brdf_slots)
         if (std::ranges::find(live.switches, slot.key) != live.switches.end())

@@ -65,6 +65,9 @@ const Term terms[] = {
          return b.d_blinn_phong(0.3F + 0.7F * x[0], 0.2F + 0.8F * x[4]);
      },
      512, 1e-20F},
+    {"phong", "phong(0.3 + 0.7 * p.x, 40.0 * q.x)",
+     [](Lobe& b, const float* x) { return b.phong(0.3F + 0.7F * x[0], 40.0F * x[4]); }, 512,
+     1e-20F},
     {"v_smith_ggx_correlated", "v_smith_ggx_correlated(p.x, p.y, a)",
      [](Lobe& b, const float* x) {
          return b.v_smith_ggx_correlated(x[0], x[1], 0.01F + 0.99F * x[4]);
@@ -182,10 +185,7 @@ const Term terms[] = {
      },
      4},
     {"sample_uniform", "sample_uniform(q.zw).z",
-     [](Lobe& b, const float* x) {
-         return b.sample_uniform({x[6], x[7]}).z;
-     },
-     2},
+     [](Lobe& b, const float* x) { return b.sample_uniform({x[6], x[7]}).z; }, 2},
     {"d_charlie", "d_charlie(p.x, 0.1 + 0.9 * q.x)",
      [](Lobe& b, const float* x) { return b.d_charlie(x[0], 0.1F + 0.9F * x[4]); }, 64, 1e-6F},
     {"v_charlie", "v_charlie(0.02 + 0.98 * p.x, 0.02 + 0.98 * p.y, a)",

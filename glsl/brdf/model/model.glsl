@@ -15,7 +15,8 @@ BrdfView brdf_view(BrdfSurface s, real n_dot_v, real4 albedo) {
     view.dielectric_weight = real3(real(0.0));
     view.metal_weight = real3(real(0.0));
     view.added = real3(real(0.0));
-    return slot_conserves() ? conserving_view(view) : view;
+    if (slot_conserves()) return conserving_view(view);  // no ?: of a structure: WebGL has none
+    return view;
 }
 
 // n_dot_l, n_dot_h, v_dot_h  [0, 1]
