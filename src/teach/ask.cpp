@@ -73,7 +73,8 @@ double blackbody_of(Answers&, const Ask& ask) {
     return static_cast<double>(color[static_cast<int>(ask.channel)]);
 }
 
-/// Phong's lobe around the mirrored view. A quarter of Blinn's exponent makes it as wide.
+/// Phong's lobe around the mirrored view. A quarter of Blinn's exponent makes it as wide, and as
+/// the mirrored view turns twice as far as h, four times its density is as high.
 double phong_of(Answers&, const Ask& ask) {
     const double sine_v = std::sqrt(std::max(0.0, 1.0 - ask.n_dot_v * ask.n_dot_v));
     const double sine_l = std::sqrt(std::max(0.0, 1.0 - ask.n_dot_l * ask.n_dot_l));
@@ -82,7 +83,7 @@ double phong_of(Answers&, const Ask& ask) {
     const double r_dot_l = std::max(0.0, 2.0 * ask.n_dot_v * ask.n_dot_l - v_dot_l);
     const double alpha = std::max(ask.roughness * ask.roughness, 1e-3);
     const double exponent = (2.0 / (alpha * alpha) - 2.0) / 4.0;
-    return brdf::Terms<double>{}.phong(r_dot_l, exponent);
+    return 4.0 * brdf::Terms<double>{}.phong(r_dot_l, exponent);
 }
 
 double estimate_of(Answers& answers, const Ask& ask) {
@@ -122,7 +123,7 @@ constexpr Kind kinds[] = {
     {{"dielectric", "exact Fresnel reflectance for an index, at v.h"}, dielectric_of},
     {{"metal", "exact reflectance of a metal in a channel, at v.h"}, metal_of},
     {{"blackbody", "linear Rec.709 of a black body of luminance 1, in a channel"}, blackbody_of},
-    {{"phong", "Phong's lobe, as wide as the roughness's, 1/sr"}, phong_of},
+    {{"phong", "Phong's lobe, as wide and high as D seen from above, 1/sr"}, phong_of},
     {{"estimate", "Monte Carlo estimate of furnace"}, estimate_of},
     {{"error", "its relative error, root mean square"}, error_of},
 };
