@@ -37,7 +37,12 @@ constexpr std::string_view curves[] = {"lobe", "D", "F", "G"};
 bool is_own(std::string_view key) { return key == "scene" || key == "label" || key == "show"; }
 
 void read_picture(Fields& fields, const Json& json, Picture& picture) {
-    picture.scene = fields.text("scene", picture.scene);
+    const std::string scene = fields.text("scene", picture.scene);
+    if (scene != picture.scene) {  // paths and materials are those of a scene
+        picture.settings.set.clear();
+        picture.settings.material.clear();
+    }
+    picture.scene = scene;
     if (const Localized label = fields.label("label"); !label.empty()) picture.label = label;
     picture.show = fields.text("show", picture.show);
     if (!picture.show.empty() && !tables::aov_named(picture.show)) {

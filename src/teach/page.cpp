@@ -42,6 +42,16 @@ tl::unexpected<base::Error> no_such(const Figure& figure, const std::vector<Name
                        .remedy = base::suggestion(figure.name, names)});
 }
 
+/// What the renderer said of a picture, at the place that asked for it.
+base::Error of_strip(base::Error error, const std::string& name) {
+    std::string where = "/strips/" + name;
+    for (const std::string& part : {error.file, error.where})
+        if (!part.empty()) where += ": " + part;
+    error.file.clear();
+    error.where = std::move(where);
+    return error;
+}
+
 std::string caption_of(const Figure& figure) {
     return figure.caption.empty()
                ? ""
@@ -93,7 +103,7 @@ base::Result<std::string> PageMaker::strip(const Strip& strip, const Figure& fig
     bool is_wide = false;
     for (const Picture& picture : strip.pictures) {
         const auto shot = gallery_->shot(picture);
-        if (!shot) return tl::unexpected(shot.error());
+        if (!shot) return tl::unexpected(of_strip(shot.error(), strip.name));
         const std::string& label = picture.label.in(texts_->language());
         const std::string alt = figure.caption + (label.empty() ? "" : " — " + label);
         shots += fmt::format("<div class=\"shot\">{}{}</div>",
@@ -189,6 +199,7 @@ std::string PageMaker::whole(const std::string& title, const std::string& nav,
 base::Result<std::string> PageMaker::lesson_page(const Lesson& lesson, const PageLinks& links) {
     const auto text = lesson.texts.find(texts_->language());
     const std::string file = (lesson.folder / (texts_->language() + ".md")).string();
+    const std::string json = (lesson.folder / "lesson.json").string();
     if (text == lesson.texts.end())
         return base::fail(
             {.code = base::ErrorCode::input_invalid, .file = file, .what = "no such text"});
@@ -197,7 +208,9 @@ base::Result<std::string> PageMaker::lesson_page(const Lesson& lesson, const Pag
         is_live = is_live || one.kind == "live";
         return figure(lesson, one);
     });
-    if (!article) return tl::unexpected(base::in_file(article.error(), file));
+    if (!article)
+        return tl::unexpected(base::in_file(
+            article.error(), article.error().where.starts_with("/strips/") ? json : file));
     const std::string title = lesson.title(texts_->language());
     const std::string nav =
         fmt::format("<nav>{}<a href=\"index.html\">{}</a>{}</nav>", link(links.before, "← ", ""),
