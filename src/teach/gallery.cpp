@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "teach/gallery.h"
 
+#include "image/mips.h"
 #include "image/write.h"
 #include "render/render.h"
 #include "render/viewable.h"
@@ -24,12 +25,29 @@ tables::Settings settings_of(const Picture& picture) {
     return settings;
 }
 
+/// RGB with the alpha of the picture that it belongs to.
+image::Image with_coverage(const image::Image& rgb, const image::Image& picture) {
+    if (rgb.channels != 3 || picture.channels != 4 || picture.size != rgb.size) return rgb;
+    image::Image out(rgb.size, 4, image::Sample::u8);
+    const auto from = rgb.as<std::uint8_t>();
+    const auto alpha = image::to_rgba8(picture);
+    const auto cover = alpha.as<std::uint8_t>();
+    const auto to = out.as<std::uint8_t>();
+    for (std::size_t i = 0; i < to.size() / 4; ++i) {
+        for (std::size_t c = 0; c < 3; ++c) to[i * 4 + c] = from[i * 3 + c];
+        to[i * 4 + 3] = cover[i * 4 + 3];
+    }
+    return out;
+}
+
 /// The AOV as it is looked at, transparent where no surface is.
 base::Result<image::Image> shown(const Picture& picture, const render::Rendered& rendered) {
     if (picture.show.empty()) return rendered.display;
     for (const image::Layer& layer : rendered.layers)
         if (layer.name == picture.show)
-            return render::viewable(*tables::aov_named(picture.show), layer, rendered.exposure);
+            return with_coverage(
+                render::viewable(*tables::aov_named(picture.show), layer, rendered.exposure),
+                rendered.display);
     return base::fail({.what = "the picture has no such AOV", .found = picture.show});
 }
 

@@ -177,6 +177,24 @@ Number read_number(const std::string& name, const Json& json, const std::string&
     return number;
 }
 
+/// The picture of the lesson on the index: one of a strip.
+void read_cover(Fields& lesson, Lesson& out) {
+    const Json* json = lesson.find("cover");
+    const Strip* shown = out.strips.empty() ? nullptr : &out.strips.front();
+    std::size_t index = shown == nullptr ? 0 : shown->pictures.size() / 2;
+    if (json != nullptr) {
+        Fields fields(*json, "/cover");
+        const std::string name = fields.text("strip", "");
+        index = static_cast<std::size_t>(fields.number("picture", 0, {0, 1000}));
+        const auto found = std::ranges::find(out.strips, name, &Strip::name);
+        shown = found == out.strips.end() ? nullptr : &*found;
+        if (shown == nullptr || index >= shown->pictures.size())
+            fields.refuse("strip", "no such picture", json->dump());
+        if (const auto done = fields.finish(); !done) return lesson.keep(done.error(), "cover");
+    }
+    if (shown != nullptr) out.cover = shown->pictures[index];
+}
+
 template <class Names>
 void check_names(Fields& fields, std::string_view key, const std::vector<std::string>& given,
                  const Names& allowed) {
@@ -258,6 +276,7 @@ base::Status parse_lesson(std::string_view text, Lesson& out) {
     }
     for (const auto& [name, strip] : fields.object("strips").items())
         out.strips.push_back(read_strip(name, strip, "/strips/" + name, usual, fields));
+    read_cover(fields, out);
     for (const auto& [name, plot] : fields.object("plots").items())
         out.plots.push_back(read_plot(name, plot, "/plots/" + name, fields));
     for (const auto& [name, number] : fields.object("numbers").items())

@@ -86,6 +86,7 @@ struct Lesson {
     std::vector<Plot> plots;
     std::vector<Number> numbers;
     std::optional<Live> live;
+    std::optional<Picture> cover;   ///< on the index; none: the middle of the first strip
     std::optional<Picture> studio;  ///< what `facet studio --lesson` opens
 
     [[nodiscard]] std::string title(std::string_view language) const;

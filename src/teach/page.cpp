@@ -224,9 +224,8 @@ base::Result<std::string> PageMaker::index_page(std::span<const Lesson> lessons)
     std::string cards;
     for (const Lesson& lesson : lessons) {
         std::string picture;
-        if (!lesson.strips.empty()) {
-            const auto& pictures = lesson.strips.front().pictures;
-            const auto shot = gallery_->shot(pictures[pictures.size() / 2]);
+        if (lesson.cover) {
+            const auto shot = gallery_->shot(*lesson.cover);
             if (!shot) return tl::unexpected(shot.error());
             picture = image((*shot)->data_uri, (*shot)->size, "");
         }
