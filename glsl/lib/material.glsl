@@ -58,6 +58,47 @@ vec3 shading_normal() {
     return n * side;
 }
 
+#ifdef FACET_EXPLAIN
+// What fetch_surface made its surface of.
+void explain_surface(Surface s) {
+    explained.ids = uvec4(draw.ids.xyz, gl_FrontFacing ? 1u : 0u);
+    explained.normal.xyz = s.normal;
+    explained.base_color = vec4(s.base_color, s.opacity);
+    explained.numbers = vec4(s.metallic, s.roughness, s.ao, 0.0);
+    explained.emissive_nit = vec4(s.emissive_nit, 0.0);
+    explained.base_texel = vec4(1.0);
+    explained.orm_texel = vec4(1.0, 1.0, 1.0, 0.0);
+    explained.normal_texel = vec4(0.5, 0.5, 1.0, 0.0);
+    explained.emissive_texel = vec4(1.0);
+    explained.vertex_color = vec4(1.0);
+    explained.uv.xy = vertex_uv0;
+#if FACET_UV_GENERAL
+    explained.uv.zw = vertex_uv1;
+#endif
+#if FACET_VERTEX_COLOR
+    explained.vertex_color = vertex_color;
+#endif
+#if FACET_BASE_COLOR_TEXTURE
+    explained.base_texel = texture(base_color_texture, slot_uv(0));
+#endif
+#if FACET_METALLIC_ROUGHNESS_TEXTURE
+    explained.orm_texel.gb = texture(metallic_roughness_texture, slot_uv(1)).gb;
+#if FACET_OCCLUSION_PACKED
+    explained.orm_texel.ra = vec2(texture(metallic_roughness_texture, slot_uv(1)).r, 1.0);
+#endif
+#endif
+#if FACET_OCCLUSION_TEXTURE
+    explained.orm_texel.ra = vec2(texture(occlusion_texture, slot_uv(3)).r, 1.0);
+#endif
+#if FACET_NORMAL_MAP
+    explained.normal_texel = texture(normal_texture, slot_uv(2));
+#endif
+#if FACET_EMISSIVE_TEXTURE
+    explained.emissive_texel = texture(emissive_texture, slot_uv(4));
+#endif
+}
+#endif
+
 Surface fetch_surface() {
     Surface s;
     vec4 base = draw.base_color_opacity;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <numeric>
 #include <utility>
 
 namespace facet::frame {
@@ -12,20 +11,6 @@ namespace {
 
 bool wants(const std::vector<tables::Aov>& aovs, tables::Aov aov) {
     return std::find(aovs.begin(), aovs.end(), aov) != aovs.end();
-}
-
-/// Indices of the draws, near to far: what is behind is then rejected by depth before it is shaded.
-std::vector<std::size_t> near_to_far(const GpuScene& scene, const shared::View& view) {
-    std::vector<std::size_t> order(scene.draws.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    const math::Vec3 eye(view.eye_m);
-    const math::Vec3 forward(view.forward);
-    const auto distance = [&](std::size_t i) {
-        return math::dot(scene.draws[i].center_m - eye, forward);
-    };
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return distance(a) < distance(b); });
-    return order;
 }
 
 /// Waits for the GL and adds the time since the last call; does nothing where no times are wanted.

@@ -70,6 +70,8 @@ public:
     /// The sum of the frames drawn: RGBA f32, rows from the bottom; and its window depth of the
     /// last frame.
     [[nodiscard]] const gl::Framebuffer& sum_framebuffer(std::uint32_t count) const;
+    /// The last frame alone, likewise.
+    [[nodiscard]] const gl::Framebuffer& frame_framebuffer() const { return radiance_.framebuffer; }
     [[nodiscard]] const gl::Texture& sum_texture(std::uint32_t count) const;
     [[nodiscard]] const gl::Framebuffer& depth_framebuffer() const { return gbuffer_.framebuffer; }
     /// Encodes the frames drawn for a screen, on the GL; read_display() fetches it.

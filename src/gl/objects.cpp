@@ -60,6 +60,12 @@ void update_buffer(const Context& gl, const Buffer& buffer, std::span<const std:
                         GL_STREAM_DRAW);
 }
 
+void read_buffer(const Context& gl, const Buffer& buffer, std::span<std::byte> out) {
+    gl.api().BindBuffer(GL_COPY_READ_BUFFER, buffer.name());
+    gl.api().GetBufferSubData(GL_COPY_READ_BUFFER, 0, static_cast<GLsizeiptr>(out.size()),
+                              out.data());
+}
+
 Texture make_buffer_texture(const Context& gl, const Buffer& buffer, GLenum format) {
     const Api& api = gl.api();
     GLuint name = 0;

@@ -35,6 +35,8 @@ void upload(const Context& gl, const Texture& texture, const TextureSpec& spec, 
 [[nodiscard]] Buffer make_buffer(const Context& gl, std::span<const std::byte> bytes,
                                  GLenum usage = GL_STATIC_DRAW);
 void update_buffer(const Context& gl, const Buffer& buffer, std::span<const std::byte> bytes);
+/// The first bytes of a buffer, as many as `out` has.
+void read_buffer(const Context& gl, const Buffer& buffer, std::span<std::byte> out);
 [[nodiscard]] Texture make_buffer_texture(const Context& gl, const Buffer& buffer, GLenum format);
 
 /// Attachments outlive the framebuffer. `depth` may be null. Errors: internal when it is not

@@ -109,7 +109,7 @@ base::Result<Shader> compile(const Context& gl, GLenum stage, const ShaderText& 
 base::Result<ShaderText> assemble(const ShaderSources& sources, const std::string& path,
                                   std::string_view defines) {
     Assembler assembler(sources);
-    assembler.out.text = fmt::format("#version 430 core\n{}", defines);
+    assembler.out.text = fmt::format("#version 430 core\n{}{}", sources.defines, defines);
     const auto head = std::count(assembler.out.text.begin(), assembler.out.text.end(), '\n');
     assembler.out.origins.assign(static_cast<std::size_t>(head), {0, 1});
     if (auto added = assembler.add(path, "the program", 0); !added)

@@ -33,6 +33,7 @@ struct ShaderText {
 struct ShaderSources {
     std::filesystem::path folder;
     std::map<std::string, std::string> generated;  ///< include path -> text
+    std::string defines;  ///< `#define` lines of every program made from them
 };
 
 /// Errors: internal, naming the file and the line of an include that is not there.

@@ -10,6 +10,7 @@
 
 namespace facet::math {
 
+using DVec3 = glm::dvec3;
 using Vec2 = glm::vec2;
 using Vec3 = glm::vec3;
 using Vec4 = glm::vec4;

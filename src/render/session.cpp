@@ -84,6 +84,7 @@ base::Status Session::make_frame() {
     if (!frame) return tl::unexpected(frame.error());
     frame_ = std::move(*frame);
     probe_.reset();
+    explainer_.reset();
     sources_ = std::move(sources);
     return {};
 }
@@ -94,6 +95,16 @@ base::Status Session::draw(std::uint32_t index, std::uint32_t count, frame::Pass
 
 base::Status Session::draw_centered_aovs() {
     return frame_->draw_centered_aovs(*gl_, inputs(key_light_for(plan_.aovs)));
+}
+
+base::Result<std::vector<frame::ExplainedPixel>> Session::explain(
+    std::span<const frame::PixelPlace> pixels, std::uint32_t index, std::uint32_t count) {
+    if (!explainer_) {
+        auto made = frame::Explainer::create(*gl_, *sources_, frame_spec());
+        if (!made) return tl::unexpected(made.error());
+        explainer_ = std::move(*made);
+    }
+    return explainer_->draw(*gl_, inputs({}), pixels, index, count);
 }
 
 double Session::measure_exposure(std::uint32_t count) {

@@ -4,7 +4,7 @@
 
 #include "base/log.h"
 #include "base/thread_pool.h"
-#include "frame/frame.h"
+#include "frame/explain/explain.h"
 #include "render/job.h"
 #include "render/plan.h"
 
@@ -51,6 +51,9 @@ public:
     /// The AOVs of a part of the picture, through the centres of its pixels; the frames drawn stay.
     [[nodiscard]] base::Result<std::vector<image::Layer>> probe(
         const frame::Region& region, const std::vector<tables::Aov>& aovs);
+    /// What sample `index` of `count` makes of some pixels of the region, number by number.
+    [[nodiscard]] base::Result<std::vector<frame::ExplainedPixel>> explain(
+        std::span<const frame::PixelPlace> pixels, std::uint32_t index, std::uint32_t count);
     [[nodiscard]] const scene::Scene& scene() const { return job_.scene; }
     [[nodiscard]] const Job& job() const { return job_; }
     [[nodiscard]] const Plan& plan() const { return plan_; }
@@ -97,8 +100,9 @@ private:
     frame::EnvironmentMaps environment_;
     std::unique_ptr<frame::PackedLights> lights_;
     std::optional<frame::Frame> frame_;
-    std::optional<frame::Frame> probe_;         ///< made at first need
-    std::optional<scene::KeyLight> key_light_;  ///< found at first need
+    std::optional<frame::Frame> probe_;          ///< made at first need
+    std::optional<frame::Explainer> explainer_;  ///< likewise
+    std::optional<scene::KeyLight> key_light_;   ///< found at first need
 
     [[nodiscard]] scene::KeyLight key_light_for(const std::vector<tables::Aov>& aovs);
     /// `key` outlives the result.

@@ -57,6 +57,7 @@ base::Status Session::change(const Settings& settings, const Plan& plan, base::W
 base::Status Session::update(const Settings& settings, const Plan& plan, base::Warnings& warnings) {
     const Settings before = settings_;
     const Plan plan_before = plan_;
+    explainer_.reset();  // of the targets and settings before
     auto changed = change(settings, plan, warnings);
     if (changed) return changed;
     // Back again: what failed left its part as it was, what came before it did not.

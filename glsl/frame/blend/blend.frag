@@ -3,6 +3,9 @@
 #include "shared/draw.h"
 layout(std140) uniform ViewBlock { View view; };
 layout(std140) uniform DrawBlock { Draw draw; };
+#ifdef FACET_EXPLAIN
+#include "frame/explain/explain.glsl"
+#endif
 #include "lib/material.glsl"
 #include "frame/lighting/shade.glsl"
 
@@ -23,6 +26,10 @@ void main() {
     p.metallic = s.metallic;
     p.roughness = s.roughness;
     p.ao = s.ao;
+#ifdef FACET_EXPLAIN
+    explain_begin(EXPLAIN_BLEND, draw.ids.w, uint(gl_PrimitiveID));
+    explain_surface(s);
+#endif
 #if FACET_LIGHT_PATHS
     shade(p);
     add_emission(s.base_color, float(draw.ids.z), s.emissive_nit);
@@ -30,5 +37,9 @@ void main() {
 #else
     vec3 radiance = mix(shade(p), s.base_color, float(draw.ids.z)) + s.emissive_nit;
     out_radiance = vec4(radiance * s.opacity, s.opacity);
+#ifdef FACET_EXPLAIN
+    explained.radiance = vec4(radiance, s.opacity);
+    explain_end();
+#endif
 #endif
 }

@@ -1,6 +1,9 @@
 // The G-buffer: albedo, normal, metallic, roughness, AO; emission and ids where the frame asks for them.
 #include "shared/draw.h"
 layout(std140) uniform DrawBlock { Draw draw; };
+#ifdef FACET_EXPLAIN
+#include "frame/explain/explain.glsl"
+#endif
 #include "lib/octahedral.glsl"
 #include "lib/material.glsl"
 
@@ -18,6 +21,11 @@ void main() {
     Surface s = fetch_surface();
 #if FACET_ALPHA_MASK
     if (s.opacity < draw.emissive_nit_cutoff.w) discard;
+#endif
+#ifdef FACET_EXPLAIN
+    explain_begin(EXPLAIN_GBUFFER, draw.ids.w, uint(gl_PrimitiveID));
+    explain_surface(s);
+    explain_end();
 #endif
     out_albedo = vec4(s.base_color, float(draw.ids.z));
     out_normal = octahedral_from_unit(s.normal);

@@ -1,6 +1,9 @@
 // Lighting: G-buffer to radiance. Drawn at the far plane with depth GREATER, so the background costs nothing.
 #include "shared/view.h"
 layout(std140) uniform ViewBlock { View view; };
+#ifdef FACET_EXPLAIN
+#include "frame/explain/explain.glsl"
+#endif
 #include "lib/octahedral.glsl"
 #include "lib/spaces.glsl"
 #include "frame/lighting/shade.glsl"
@@ -33,6 +36,10 @@ void main() {
     p.metallic = metal_rough_ao.r;
     p.roughness = metal_rough_ao.g;
     p.ao = metal_rough_ao.b;
+#ifdef FACET_EXPLAIN
+    // Drawn at the far plane: what is no surface is tested away only after it has run.
+    if (depth < 1.0) explain_begin(EXPLAIN_LIGHTING, 0u, 0u);
+#endif
 
 #if FACET_LIGHT_PATHS
     shade(p);
@@ -49,5 +56,10 @@ void main() {
     radiance += texelFetch(gbuffer_emissive, pixel, 0).rgb;
 #endif
     out_radiance = vec4(radiance, 1.0);
+#ifdef FACET_EXPLAIN
+    explained.position.w = depth;
+    explained.radiance = vec4(radiance, 1.0);
+    explain_end();
+#endif
 #endif
 }

@@ -58,6 +58,10 @@ vec3 sh_irradiance(vec3 n) {
     return max(e, vec3(0.0));
 }
 
+#ifdef FACET_EXPLAIN
+float explain_distance_m = 0.0;  // to the light at hand; 0: infinitely far
+#endif
+
 vec3 lit_by(ShadePoint p, BrdfView brdf, vec3 to_light, vec3 illuminance) {
     float n_dot_l = clamp(dot(p.normal, to_light), 0.0, 1.0);
     vec3 sum = p.to_eye + to_light;
@@ -70,6 +74,14 @@ vec3 lit_by(ShadePoint p, BrdfView brdf, vec3 to_light, vec3 illuminance) {
     BrdfValue f = brdf_light(brdf, n_dot_l, n_dot_h, v_dot_h, a_b.x + a_b.y);
 #else
     BrdfValue f = brdf_light(brdf, n_dot_l, n_dot_h, v_dot_h, 1.0);
+#endif
+#ifdef FACET_EXPLAIN
+    BrdfTerms terms = brdf_terms(brdf, n_dot_l, n_dot_h, v_dot_h);
+    float v = slot_masking(brdf.n_dot_v, n_dot_l, brdf.surface.roughness, brdf.surface.alpha);
+    explain_lit(ExplainedLight(uvec4(0u), vec4(to_light, explain_distance_m), vec4(illuminance, 0.0),
+                               vec4(n_dot_l, n_dot_h, v_dot_h, 0.0), vec4(terms.d, terms.g, v, 0.0),
+                               vec4(terms.f, 0.0), vec4(terms.k_d, 0.0), vec4(terms.k_s, 0.0),
+                               vec4(f.diffuse, 0.0), vec4(f.specular, 0.0)));
 #endif
 #if FACET_LIGHT_PATHS
     paths.diffuse_direct += f.diffuse * illuminance * n_dot_l;
@@ -85,12 +97,27 @@ vec3 shade(ShadePoint p) {
     BrdfView brdf = brdf_view(surface, n_dot_v, albedo);
 
     vec3 radiance = vec3(0.0);
+#ifdef FACET_EXPLAIN
+    explained.position.xyz = p.position_m;
+    explained.normal = vec4(p.normal, n_dot_v);
+    explained.to_eye = vec4(p.to_eye, 0.0);
+    explained.albedo = albedo;
+    explained.base_color.rgb = p.base_color;
+    explained.numbers = vec4(p.metallic, p.roughness, p.ao, surface.roughness);
+    BrdfValue balance = brdf_environment(brdf);
+    explained.environment_diffuse = vec4(balance.diffuse, 0.0);
+    explained.environment_specular = vec4(balance.specular, 0.0);
+#endif
 #if FACET_ENVIRONMENT
     BrdfValue w = brdf_environment(brdf);
     vec3 mirrored = reflect(-p.to_eye, p.normal);
     float level = p.roughness * view.environment.x;
     vec3 prefiltered = textureLod(radiance_cube, mirrored, level).rgb;
     radiance = (w.diffuse * sh_irradiance(p.normal) + w.specular * prefiltered) * p.ao;
+#ifdef FACET_EXPLAIN
+    explained.irradiance = vec4(sh_irradiance(p.normal), 0.0);
+    explained.prefiltered = vec4(prefiltered, level);
+#endif
 #if FACET_LIGHT_PATHS
     paths.diffuse_indirect = w.diffuse * sh_irradiance(p.normal) * p.ao;
     paths.specular_indirect = w.specular * prefiltered * p.ao;
@@ -100,6 +127,9 @@ vec3 shade(ShadePoint p) {
         int texel = int(i) * 3;
         vec3 intensity_lux = texelFetch(lights, texel + 1).rgb;
         vec3 direction = texelFetch(lights, texel + 2).xyz;
+#ifdef FACET_EXPLAIN
+        explain_light = i;
+#endif
         radiance += lit_by(p, brdf, -direction, light_directional(intensity_lux));
     }
 #if FACET_LOCAL_LIGHTS
@@ -107,12 +137,18 @@ vec3 shade(ShadePoint p) {
     uvec2 list = texelFetch(light_tiles, int(tile.y * view.light_counts.z + tile.x)).xy;
     for (uint i = 0u; i < list.y; ++i) {
         int texel = int(texelFetch(light_indices, int(list.x + i)).x) * 3;
+#ifdef FACET_EXPLAIN
+        explain_light = uint(texel / 3);
+#endif
         vec4 position_range = texelFetch(lights, texel);
         vec4 intensity_scale = texelFetch(lights, texel + 1);
         vec4 direction_offset = texelFetch(lights, texel + 2);
         vec3 to_light = position_range.xyz - p.position_m;
         float d2 = dot(to_light, to_light);
         to_light *= inversesqrt(max(d2, 1e-12));
+#ifdef FACET_EXPLAIN
+        explain_distance_m = sqrt(d2);
+#endif
         float cone = light_spot(-dot(to_light, direction_offset.xyz), intensity_scale.w, direction_offset.w);
         vec3 illuminance = light_point(intensity_scale.rgb, d2, position_range.w) * cone;
         radiance += lit_by(p, brdf, to_light, illuminance);

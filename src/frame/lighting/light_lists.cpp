@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 namespace facet::frame {
 namespace {
@@ -83,13 +84,20 @@ TileRange tile_range(const Vec4& position_inverse_range2, const math::Mat4& clip
 
 }  // namespace
 
+std::vector<std::size_t> packing_order(std::span<const scene::Light> lights) {
+    std::vector<std::size_t> order(lights.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_partition(
+        order, [&](std::size_t i) { return lights[i].kind == tables::LightKind::directional; });
+    return order;
+}
+
 PackedLights pack_lights(std::span<const scene::Light> lights) {
     PackedLights packed;
-    for (const scene::Light& light : lights)
-        if (light.kind == tables::LightKind::directional) push(packed.texels, light);
-    packed.directional_count = static_cast<std::uint32_t>(packed.texels.size() / 3);
-    for (const scene::Light& light : lights)
-        if (light.kind != tables::LightKind::directional) push(packed.texels, light);
+    for (const std::size_t index : packing_order(lights)) {
+        push(packed.texels, lights[index]);
+        if (lights[index].kind == tables::LightKind::directional) ++packed.directional_count;
+    }
     packed.count = static_cast<std::uint32_t>(packed.texels.size() / 3);
     return packed;
 }

@@ -20,6 +20,8 @@ struct PackedLights {
     std::uint32_t directional_count = 0;
     std::uint32_t count = 0;
 };
+/// Which of the lights is packed first, second, …: directional ones go before the others.
+[[nodiscard]] std::vector<std::size_t> packing_order(std::span<const scene::Light> lights);
 [[nodiscard]] PackedLights pack_lights(std::span<const scene::Light> lights);
 
 /// A list a tile, row by row from the bottom left.

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <numeric>
 
 namespace facet::frame {
 namespace {
@@ -37,7 +38,7 @@ gl::SamplerSpec sampler_spec(const scene::Texture& texture, bool trilinear) {
 }
 
 shared::Draw block_of(const scene::Instance& instance, const scene::Material& material,
-                      std::uint32_t material_index) {
+                      std::uint32_t material_index, std::uint32_t draw_index) {
     const tables::MaterialValues& v = material.values;
     shared::Draw block{};
     block.world_from_object = instance.world_from_object;
@@ -53,7 +54,7 @@ shared::Draw block_of(const scene::Instance& instance, const scene::Material& ma
         block.uv_rows[slot * 2] = Vec4(rows[0], set);
         block.uv_rows[slot * 2 + 1] = Vec4(rows[1], set);
     }
-    block.ids = {instance.object_id, material_index + 1, material.unlit ? 1U : 0U, 0U};
+    block.ids = {instance.object_id, material_index + 1, material.unlit ? 1U : 0U, draw_index};
     return block;
 }
 
@@ -78,7 +79,8 @@ public:
         for (std::size_t slot = 0; slot < material.textures.size(); ++slot)
             if (material.textures[slot])
                 draw.textures[slot] = bound(*material.textures[slot], slot);
-        draw.block_offset = add_block(block_of(instance, material, mesh.material.index));
+        draw.block_offset = add_block(block_of(instance, material, mesh.material.index,
+                                               static_cast<std::uint32_t>(out_.draws.size())));
         out_.emits = out_.emits || (!draw.blended && material.values.emissive != Vec3(0.0F) &&
                                     material.values.emissive_strength > 0.0F);
         out_.draws.push_back(draw);
@@ -122,6 +124,19 @@ std::size_t count_tangents(const scene::Scene& scene) {
 }
 
 }  // namespace
+
+std::vector<std::size_t> near_to_far(const GpuScene& scene, const shared::View& view) {
+    std::vector<std::size_t> order(scene.draws.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const math::Vec3 eye(view.eye_m);
+    const math::Vec3 forward(view.forward);
+    const auto distance = [&](std::size_t i) {
+        return math::dot(scene.draws[i].center_m - eye, forward);
+    };
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return distance(a) < distance(b); });
+    return order;
+}
 
 base::Result<GpuScene> upload_scene(const gl::Context& gl, const scene::Scene& scene,
                                     Filtering filtering, base::ThreadPool& pool) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/thread_pool.h"
+#include "frame/shared.h"
 #include "frame/upload/material_key.h"
 #include "gl/objects.h"
 #include "scene/scene.h"
@@ -61,6 +62,9 @@ struct GpuScene {
 
 /// How textures other than the base colour are filtered: `fast` takes the nearest mip.
 enum class Filtering { fast, trilinear };
+
+/// Indices of the draws, near to far: what is behind is then rejected by depth before it is shaded.
+[[nodiscard]] std::vector<std::size_t> near_to_far(const GpuScene& scene, const shared::View& view);
 
 /// Uploads everything; mips are made on `pool`. Errors: limit_reached (a texture above the driver's
 /// limit).

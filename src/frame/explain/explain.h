@@ -1,0 +1,70 @@
+// A frame that writes down what it computes at some pixels: the same passes, compiled with
+// FACET_EXPLAIN. SPDX-License-Identifier: MIT
+#pragma once
+
+#include "frame/frame.h"
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace facet::frame {
+
+/// A pixel of the frame's region; 0, 0 is top left.
+struct PixelPlace {
+    std::uint32_t x = 0;
+    std::uint32_t y = 0;
+};
+
+struct ExplainedPoint {
+    shared::ExplainedSurface surface{};          ///< `which` and `position.w` are used up
+    std::vector<shared::ExplainedLight> lights;  ///< those that were evaluated, by their index
+};
+
+/// One pixel of one jittered frame.
+struct ExplainedPixel {
+    math::Vec2 jitter_px{0.0F};  ///< of the sample from the pixel's centre
+    std::optional<ExplainedPoint> opaque;
+    std::vector<ExplainedPoint> blended;       ///< before it, far to near
+    std::optional<math::Vec3> background_nit;  ///< seen where nothing is opaque
+    math::Vec4 radiance{0.0F};                 ///< what the frame has there: associated alpha
+};
+
+class Explainer {
+public:
+    /// As Frame::create; `sources` are those of the frame that is explained.
+    [[nodiscard]] static base::Result<Explainer> create(const gl::Context& gl,
+                                                        const gl::ShaderSources& sources,
+                                                        const FrameSpec& spec);
+
+    /// Draws sample `index` of `count` and gives what it made of `pixels`, in their order. Errors:
+    /// limit_reached (more surfaces behind the pixels than there is memory for), internal.
+    [[nodiscard]] base::Result<std::vector<ExplainedPixel>> draw(const gl::Context& gl,
+                                                                 const FrameInputs& in,
+                                                                 std::span<const PixelPlace> pixels,
+                                                                 std::uint32_t index,
+                                                                 std::uint32_t count);
+
+private:
+    struct Room {
+        std::uint32_t surfaces = 1024;
+        std::uint32_t lights = 4096;
+    };
+    struct Records {
+        std::vector<shared::ExplainedSurface> surfaces;
+        std::vector<shared::ExplainedLight> lights;
+    };
+    Explainer(std::unique_ptr<gl::ShaderSources> sources, Frame frame)
+        : sources_(std::move(sources)), frame_(std::move(frame)) {}
+    [[nodiscard]] base::Result<Records> record(const gl::Context& gl, const FrameInputs& in,
+                                               std::span<const PixelPlace> pixels,
+                                               std::uint32_t index, std::uint32_t count);
+
+    std::unique_ptr<gl::ShaderSources> sources_;  // passes keep its address
+    Frame frame_;
+    gl::Buffer asked_, surfaces_, lights_;
+    Room room_;
+};
+
+}  // namespace facet::frame
