@@ -53,6 +53,13 @@ foreach(room base math tables image brdf scene gl frame trace render explain stu
   facet_tests(${room})
 endforeach()
 
+# Lessons in a real browser; Debian's python3 has its selenium.
+find_program(FACET_SYSTEM_PYTHON NAMES python3 PATHS /usr/bin NO_DEFAULT_PATH)
+if(TARGET facet AND FACET_SYSTEM_PYTHON)
+  add_test(NAME teach/pages.cli COMMAND ${FACET_SYSTEM_PYTHON} ${PROJECT_SOURCE_DIR}/tests/teach/pages.py $<TARGET_FILE:facet>)
+  set_tests_properties(teach/pages.cli PROPERTIES LABELS cli TIMEOUT 900)
+endif()
+
 foreach(check check_house check_style)
   if(EXISTS ${PROJECT_SOURCE_DIR}/scripts/${check}.py)
     add_test(NAME ${check} COMMAND python3 ${PROJECT_SOURCE_DIR}/scripts/${check}.py)

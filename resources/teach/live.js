@@ -81,14 +81,22 @@
     gl.uniform4f(p.at("surface"), v.roughness, v.metallic, v.f0, v.base);
   };
 
+  // n.v, n.l, n.h, v.h. The viewer is on the left: at azimuth 0 a light on the right stands opposite.
+  const cosines = () => {
+    const view = radians(state.values.view_deg), light = radians(state.values.light_deg);
+    const nv = Math.max(Math.cos(view), 1e-4), nl = Math.max(Math.cos(light), 0);
+    const vl = nv * nl - Math.sin(view) * Math.sin(light) * Math.cos(radians(state.values.azimuth_deg));
+    const vh = Math.sqrt(Math.max(0.5 + 0.5 * vl, 0));
+    return [nv, nl, Math.min(1, (nv + nl) / Math.max(2 * vh, 1e-9)), vh];
+  };
   const NAMES = ["D", "G", "V", "F", "specular", "diffuse", "full", "model_specular", "model_diffuse",
     "n_dot_v", "n_dot_l", "n_dot_h", "v_dot_h", "reflected", "transmitted"];
   const ask = () => {
     makeTable();
     const p = begin("probe", numbers, table);
     surfaceOf(p);
-    gl.uniform2f(p.at("angles"), radians(state.values.view_deg), radians(state.values.light_deg));
-    gl.uniform1f(p.at("azimuth"), radians(state.values.azimuth_deg));
+    gl.uniform4f(p.at("cosines"), ...cosines());
+    gl.uniform1f(p.at("view"), radians(state.values.view_deg));
     gl.uniform1i(p.at("curve"), config.curve.index);
     draw();
     const bits = new Uint32Array(POINTS * 2 * 4);
