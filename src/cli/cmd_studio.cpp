@@ -2,11 +2,15 @@
 // SPDX-License-Identifier: MIT
 #include "base/file.h"
 #include "base/text.h"
+#include "base/texts.h"
 #include "cli/flags.h"
 #include "cli/output_gate.h"
 #include "cli/setting_flags.h"
 #include "gl/context.h"
 #include "studio/studio.h"
+#include "teach/lesson.h"
+#include "teach/markdown.h"
+#include "teach/page.h"
 
 #include <memory>
 
@@ -28,6 +32,7 @@ struct StudioOptions {
     std::string language;
     std::string theme;
     std::string window;
+    std::string lesson;
     TypedSettings typed;
 };
 
@@ -76,6 +81,41 @@ base::Status read_window(const std::string& text, studio::StudioRequest& request
                  .remedy = "for example 1440x860"});
 }
 
+/// A lesson's text, its pictures as views, and its scene.
+base::Status read_lesson(const StudioOptions& options, studio::StudioRequest& request) {
+    if (options.lesson.empty()) return {};
+    if (!options.scene.empty())
+        return fail({.code = ErrorCode::usage,
+                     .file = "--lesson",
+                     .what = "opens a scene of its own",
+                     .found = options.scene});
+    const auto lesson = teach::find_lesson(options.lesson);
+    if (!lesson) return tl::unexpected(base::in_file(lesson.error(), "--lesson"));
+    studio::StudioLesson guide;
+    for (const auto& [language, text] : lesson->texts)
+        guide.texts[language] = {lesson->title(language), teach::summary_of(*lesson, language),
+                                 teach::plain_section(text, 1)};
+    const auto add_view = [&](const teach::Picture& picture) {
+        studio::LessonView view{.document = {picture.scene, picture.settings}};
+        for (const std::string_view language : base::languages)
+            view.labels[std::string(language)] = picture.label.in(language);
+        if (!picture.show.empty()) view.show = picture.show;
+        guide.views.push_back(std::move(view));
+    };
+    for (const teach::Strip& strip : lesson->strips)
+        for (const teach::Picture& picture : strip.pictures)
+            if (picture.settings.reference.empty()) add_view(picture);
+    if (lesson->studio) {
+        request.scene = lesson->studio->scene;
+        request.settings = lesson->studio->settings;
+    } else if (!guide.views.empty()) {
+        request.scene = guide.views.front().document.scene;
+        request.settings = guide.views.front().document.settings;
+    }
+    request.lesson = std::move(guide);
+    return {};
+}
+
 base::Status check(const StudioOptions& options) {
     if (options.offscreen && !options.frames && options.script.empty())
         return fail({.code = ErrorCode::usage,
@@ -106,6 +146,7 @@ Result<Exit> run_studio(const StudioOptions& options, Io& io) {
                                   .shot = options.shot,
                                   .language = options.language};
     if (!options.scene.empty()) request.scene = options.scene;
+    if (auto s = read_lesson(options, request); !s) return tl::unexpected(s.error());
     if (auto s = read_script(options.script, request); !s) return tl::unexpected(s.error());
     if (auto s = read_theme(options.theme, request); !s) return tl::unexpected(s.error());
     if (auto s = read_window(options.window, request); !s) return tl::unexpected(s.error());
@@ -129,6 +170,8 @@ void add_studio(Declaration& command) {
     flags.push_back({"--shot", &options->shot, "PNG", "Studio", "writes the last of them"});
     flags.push_back({"--do", &options->script, "SCRIPT", "Studio",
                      "plays a script of clicks, drags, keys and edits; facet help studio"});
+    flags.push_back({"--lesson", &options->lesson, "NAME", "Studio",
+                     "opens a lesson's scene with its text and views; --list lessons"});
     flags.push_back({"--window", &options->window, "WxH", "Studio", "size of the window"});
     flags.push_back({"--lang", &options->language, "en|ru", "Studio", "language"});
     flags.push_back({"--theme", &options->theme, "dark|light", "Studio", "colours of the window"});

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/log.h"
-#include "frame/explain/explain.h"
+#include "frame/explain/explained.h"
 #include "render/render.h"
 #include "tables/brdf_terms.h"
 

@@ -25,6 +25,7 @@ struct Wanted {
     bool copy_material = false;
     bool thumbnails = false;  ///< pictures of the presets
     bool quit = false;
+    std::optional<std::size_t> lesson_view;
     std::optional<math::Vec2> pick_px;   ///< in the viewport's picture
     std::optional<math::Vec2> probe_px;  ///< likewise
 };
@@ -42,6 +43,7 @@ struct Editor {
     bool unsaved = false;
     std::optional<std::size_t> material;  ///< selected
     std::optional<std::size_t> light;
+    std::optional<std::size_t> lesson_view;  ///< that was gone to last
     Look look;
     std::optional<Orbit> orbit;  ///< how the view was last turned, unrounded
     std::vector<Message> messages;

@@ -4,6 +4,7 @@
 
 #include "studio/editor.h"
 #include "studio/inspection.h"
+#include "studio/lesson.h"
 #include "studio/stage.h"
 #include "studio/ui.h"
 
@@ -19,9 +20,12 @@ struct PanelTools {
     const gl::Context& gl;
     const Inspection& inspection;
     const Thumbnails& thumbnails;
+    const std::optional<StudioLesson>& lesson;
 };
 
 void draw_material_panel(PanelTools& tools);
 void draw_scene_panel(PanelTools& tools);
+/// Precondition: there is a lesson.
+void draw_lesson(PanelTools& tools);
 
 }  // namespace facet::studio

@@ -58,6 +58,7 @@ void draw_cameras(PanelTools& tools) {
 }  // namespace
 
 void draw_scene_panel(PanelTools& tools) {
+    if (tools.lesson && section(tools.ui, "lesson")) draw_lesson(tools);
     if (section(tools.ui, "objects")) draw_tree(tools);
     if (section(tools.ui, "lights")) {
         draw_lights(tools);

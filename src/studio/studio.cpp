@@ -69,6 +69,7 @@ private:
     base::Status draw_frame();
     void draw_panels_and_dialogs();
     void do_wanted();
+    void go_to(std::size_t lesson_view);
     base::Status act(const ScriptStep& step);
     base::Status step_stage();
     base::Status write_shot(const std::filesystem::path& path);
@@ -205,13 +206,30 @@ void Studio::do_wanted() {
     if (const auto scene = std::exchange(wanted.open, std::nullopt))
         if (auto s = commands_->open_scene({*scene, request_.settings}); !s)
             editor_.complain(s.error());
+    if (const auto view = std::exchange(wanted.lesson_view, std::nullopt)) go_to(*view);
     if (const auto action = std::exchange(wanted.action, std::nullopt)) commands_->act(*action);
     if (std::exchange(wanted.thumbnails, false))
         if (auto s = thumbnails_->step(*pictures_); !s) editor_.complain(s.error());
 }
 
+/// A view of the scene that is open is an edit of its settings; another scene is opened.
+void Studio::go_to(std::size_t lesson_view) {
+    const LessonView& view = request_.lesson->views[lesson_view];
+    if (view.document.scene == editor_.document.scene) {
+        editor_.history.seal();
+        editor_.edit("lesson", [&](tables::Settings& s) { s = view.document.settings; });
+        editor_.history.seal();
+        editor_.orbit.reset();
+    } else if (auto s = commands_->open_scene(view.document); !s) {
+        return editor_.complain(s.error());
+    }
+    editor_.look.view = view.show;
+    editor_.lesson_view = lesson_view;
+}
+
 void Studio::draw_panels_and_dialogs() {
-    PanelTools tools{*ui_, editor_, *stage_, screen_->gl(), inspection_, *thumbnails_};
+    PanelTools tools{*ui_,        editor_,      *stage_,        screen_->gl(),
+                     inspection_, *thumbnails_, request_.lesson};
     const auto action = draw_menu(tools, config_.recent);
     area_px_ = draw_panels(tools, config_.layout);
     draw_status(tools);

@@ -4,6 +4,7 @@
 
 #include "base/log.h"
 #include "base/result.h"
+#include "studio/lesson.h"
 #include "studio/script.h"
 #include "studio/theme.h"
 #include "tables/settings.h"
@@ -21,6 +22,7 @@ struct StudioRequest {
     bool offscreen = false;      ///< no window: the same pictures, for tests and documents
     std::uint32_t frames = 0;    ///< ends after so many; 0: when it is closed
     std::filesystem::path shot;  ///< where the last frame is written; empty: nowhere
+    std::optional<StudioLesson> lesson;
     std::vector<ScriptStep> script;
     bool has_script = false;  ///< offscreen ends with it
     std::string language;     ///< empty: as it was last, or the desktop's

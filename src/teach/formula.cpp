@@ -332,6 +332,30 @@ base::Result<std::string> mathml(std::string_view latex, bool display) {
         display ? " display=\"block\"" : "", *inner, html_escaped(latex));
 }
 
+std::string plain_formula(std::string_view latex) {
+    std::string out;
+    for (std::size_t at = 0; at < latex.size();) {
+        if (latex[at] != '\\') {
+            if (latex[at] != '{' && latex[at] != '}') out += latex[at];
+            ++at;
+            continue;
+        }
+        std::size_t end = at + 1;
+        while (end < latex.size() && is_letter(latex[end])) ++end;
+        const std::string_view name = latex.substr(at + 1, end - at - 1);
+        if (name == "cdot") {
+            while (!out.empty() && out.back() == ' ') out.pop_back();
+            while (end < latex.size() && latex[end] == ' ') ++end;
+        }
+        if (const auto text = find(identifiers, name))
+            out += *text;
+        else if (const auto sign = find(operators, name))
+            out += name == "cdot" ? "·" : *sign;
+        at = std::max(end, at + 2);
+    }
+    return out;
+}
+
 std::string html_escaped(std::string_view text) {
     std::string out;
     for (const char c : text) {

@@ -15,6 +15,9 @@ namespace facet::teach {
 /// Errors: input_invalid, naming what it does not know.
 [[nodiscard]] base::Result<std::string> mathml(std::string_view latex, bool display);
 
+/// The same as a line of text: "4 (n·v)(n·l)". Fractions and roots are not drawn.
+[[nodiscard]] std::string plain_formula(std::string_view latex);
+
 /// Text safe between tags and in attributes.
 [[nodiscard]] std::string html_escaped(std::string_view text);
 

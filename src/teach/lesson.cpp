@@ -284,7 +284,9 @@ base::Status parse_lesson(std::string_view text, Lesson& out) {
     if (const Json* live = fields.find("live")) out.live = read_live(*live, fields);
     if (const Json* studio = fields.find("studio")) {
         Fields own(*studio, "/studio");
-        Picture opened{.scene = usual.scene};
+        Picture opened = usual;  // of a page's pictures only their light, not their shape
+        opened.settings.size = tables::Settings{}.size;
+        opened.settings.background = tables::Settings{}.background;
         read_picture(own, *studio, opened);
         if (const auto done = own.finish(); !done) fields.keep(done.error(), "studio");
         out.studio = std::move(opened);

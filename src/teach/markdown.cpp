@@ -266,7 +266,7 @@ private:
         else if (is_caption_)
             figures.back().caption += said;
         else
-            line_ += said;
+            line_ += type == MD_TEXT_LATEXMATH ? plain_formula(said) : std::string(said);
     }
     std::string line_;
     bool is_heading_ = false;

@@ -172,6 +172,21 @@ TEST(Studio, SpeaksBothLanguagesInBothThemes) {
     EXPECT_NE(text_of(folder / "endark.png"), text_of(folder / "enlight.png"));
 }
 
+TEST(Studio, OpensALessonAndGoesToItsViews) {
+    const TemporaryFolder folder;
+    folder.write("script.txt",
+                 "wait\nshot a.png\nclick lesson.view[5]\nwait\nshot b.png\nundo\nquit\n");
+    for (const char* language : {"en", "ru"}) {
+        const Ran ran = facet({"studio", "--offscreen", "--lesson", "geometry", "--lang", language,
+                               "--window", "960x640", "--do", "script.txt"},
+                              {.folder = folder.path()});
+        ASSERT_EQ(ran.exit, 0) << ran.err;
+        const double share = changed(picture(folder.path() / "a.png"),
+                                     picture(folder.path() / "b.png"), 0.3, 0.1, 0.7, 0.6);
+        EXPECT_GT(share, 0.05) << "the view shows G, the picture before it light";
+    }
+}
+
 TEST(Studio, RefusesWhatCannotWorkInOneLine) {
     const TemporaryFolder folder;
     const auto refused = [&](std::vector<std::string> arguments, int exit, std::string_view word) {
@@ -192,6 +207,8 @@ TEST(Studio, RefusesWhatCannotWorkInOneLine) {
     refused({"builtin:furnace", "--offscreen", "--do", "set.txt"}, 2, "gold");
     folder.write("value.txt", "set background pink\nwait\n");
     refused({"builtin:furnace", "--offscreen", "--do", "value.txt"}, 2, "--background");
+    refused({"--offscreen", "--frames", "1", "--lesson", "fresnell"}, 2, "fresnel");
+    refused({"builtin:ball", "--offscreen", "--frames", "1", "--lesson", "fresnel"}, 2, "--lesson");
     refused({"no-such.glb", "--offscreen", "--frames", "1"}, 3, "no-such.glb");
     refused({"builtin:furnace", "--offscreen", "--frames", "1", "--lang", "de"}, 2, "en");
     refused({"builtin:furnace", "--offscreen", "--frames", "1", "--theme", "pink"}, 2, "dark");

@@ -44,12 +44,13 @@ TEST(Markdown, TakesNoHtmlAndNoStrangeLinks) {
 
 TEST(Markdown, TellsItsFiguresCommandsAndSections) {
     const std::string_view text =
-        "# T\n\nIntro.\n\n## One\n\n![c](plot:p)\n\nWords $x$.\n\n- item\n\n## Two\n\n"
+        "# T\n\nIntro.\n\n## One\n\n![c](plot:p)\n\nWords $4 (n \\cdot v)\\, \\alpha$.\n\n- "
+        "item\n\n## Two\n\n"
         "```sh\nfacet teach\nfacet help\n```\n";
     ASSERT_EQ(figures_of(text).size(), 1U);
     EXPECT_EQ(figures_of(text)[0].kind, "plot");
     EXPECT_EQ(shell_blocks(text), (std::vector<std::string>{"facet teach\nfacet help\n"}));
-    EXPECT_EQ(plain_section(text, 1), (std::vector<std::string>{"Words x.", "item"}));
+    EXPECT_EQ(plain_section(text, 1), (std::vector<std::string>{"Words 4 (n·v) α.", "item"}));
     EXPECT_TRUE(plain_section(text, 7).empty());
 }
 
