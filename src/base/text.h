@@ -15,6 +15,9 @@ namespace facet::base {
 /// or \u....; cut at `max_length` bytes with "...".
 [[nodiscard]] std::string escaped(std::string_view text, std::size_t max_length = 120);
 
+/// Text safe between tags and in attributes of HTML and SVG.
+[[nodiscard]] std::string markup_escaped(std::string_view text);
+
 /// Levenshtein distance, in bytes.
 [[nodiscard]] std::size_t edit_distance(std::string_view a, std::string_view b);
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "image/svg_figure.h"
 
+#include "base/text.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -35,28 +37,11 @@ constexpr std::string_view style = R"(
   }
 )";
 
-std::string escaped(const std::string& text) {
-    std::string out;
-    for (const char c : text) {
-        if (c == '&')
-            out += "&amp;";
-        else if (c == '<')
-            out += "&lt;";
-        else if (c == '>')
-            out += "&gt;";
-        else if (c == '"')
-            out += "&quot;";
-        else
-            out += c;
-    }
-    return out;
-}
-
 std::string text_at(double x, double y, const char* anchor, const char* css,
                     const std::string& text) {
     return fmt::format(
         "<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\" class=\"{}\">{}</text>\n", x, y, anchor,
-        css, escaped(text));
+        css, base::markup_escaped(text));
 }
 
 std::string number(double value) {
@@ -117,7 +102,7 @@ public:
         out += fmt::format(
             "<text transform=\"translate({:.1f} {:.1f}) rotate(-90)\" "
             "text-anchor=\"middle\">{}</text>\n",
-            left_ - 44, top_ + height_ / 2, escaped(figure_.y.label));
+            left_ - 44, top_ + height_ / 2, base::markup_escaped(figure_.y.label));
         for (const Curve& curve : figure_.curves) out += path_of(curve, points_of(curve));
         return out;
     }
@@ -259,7 +244,8 @@ std::string svg_page(const std::string& title, const std::string& subtitle,
         "width=\"{0:.0f}\" height=\"{1:.0f}\" "
         "role=\"img\">\n<title>{2}</title>\n<style>{3}</style>\n"
         "<rect class=\"page\" width=\"{0:.0f}\" height=\"{1:.0f}\"/>\n",
-        width, height, escaped(title.empty() && !figures.empty() ? figures.front().title : title),
+        width, height,
+        base::markup_escaped(title.empty() && !figures.empty() ? figures.front().title : title),
         style);
     if (!title.empty())
         out +=

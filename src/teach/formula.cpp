@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "teach/formula.h"
 
+#include "base/text.h"
+
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
@@ -207,7 +209,7 @@ private:
         if (std::string_view("+=<>,.;:/|!*~").find(c) == std::string_view::npos)
             complain(fmt::format("the sign {}", one));
         if (c == '|') return {"<mo stretchy=\"false\">|</mo>"};
-        return {fmt::format("<mo>{}</mo>", html_escaped(one))};
+        return {fmt::format("<mo>{}</mo>", base::markup_escaped(one))};
     }
 
     /// One UTF-8 character.
@@ -231,7 +233,7 @@ private:
             return {};
         }
         const std::string_view one = character();
-        return one == "." ? "" : html_escaped(one);
+        return one == "." ? "" : base::markup_escaped(one);
     }
 
     Piece fenced() {
@@ -303,11 +305,13 @@ private:
         }
         if (name == "left") return fenced();
         if (name == "begin") return aligned();
-        if (name == "text") return {fmt::format("<mtext>{}</mtext>", html_escaped(raw_group()))};
+        if (name == "text")
+            return {fmt::format("<mtext>{}</mtext>", base::markup_escaped(raw_group()))};
         if (name == "mathrm" || name == "operatorname")
-            return {fmt::format("<mi mathvariant=\"normal\">{}</mi>", html_escaped(raw_group()))};
+            return {fmt::format("<mi mathvariant=\"normal\">{}</mi>",
+                                base::markup_escaped(raw_group()))};
         if (name == "mathbf")
-            return {fmt::format("<mi class=\"bold\">{}</mi>", html_escaped(raw_group()))};
+            return {fmt::format("<mi class=\"bold\">{}</mi>", base::markup_escaped(raw_group()))};
         complain(fmt::format("\\{} is not among the commands", name));
         return {};
     }
@@ -329,7 +333,7 @@ base::Result<std::string> mathml(std::string_view latex, bool display) {
     return fmt::format(
         "<math{}><semantics><mrow>{}</mrow><annotation encoding=\"application/x-tex\">{}"
         "</annotation></semantics></math>",
-        display ? " display=\"block\"" : "", *inner, html_escaped(latex));
+        display ? " display=\"block\"" : "", *inner, base::markup_escaped(latex));
 }
 
 std::string plain_formula(std::string_view latex) {
@@ -352,23 +356,6 @@ std::string plain_formula(std::string_view latex) {
         else if (const auto sign = find(operators, name))
             out += name == "cdot" ? "·" : *sign;
         at = std::max(end, at + 2);
-    }
-    return out;
-}
-
-std::string html_escaped(std::string_view text) {
-    std::string out;
-    for (const char c : text) {
-        if (c == '&')
-            out += "&amp;";
-        else if (c == '<')
-            out += "&lt;";
-        else if (c == '>')
-            out += "&gt;";
-        else if (c == '"')
-            out += "&quot;";
-        else
-            out += c;
     }
     return out;
 }

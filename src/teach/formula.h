@@ -18,7 +18,4 @@ namespace facet::teach {
 /// The same as a line of text: "4 (n·v)(n·l)". Fractions and roots are not drawn.
 [[nodiscard]] std::string plain_formula(std::string_view latex);
 
-/// Text safe between tags and in attributes.
-[[nodiscard]] std::string html_escaped(std::string_view text);
-
 }  // namespace facet::teach

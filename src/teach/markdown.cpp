@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "teach/markdown.h"
 
+#include "base/text.h"
 #include "teach/formula.h"
 
 #include <md4c.h>
@@ -132,7 +133,7 @@ private:
                 fail({.code = base::ErrorCode::input_invalid,
                       .what = "a link that is neither https nor to a page beside this one",
                       .found = std::string(url)});
-            out += fmt::format("<a href=\"{}\">", html_escaped(url));
+            out += fmt::format("<a href=\"{}\">", base::markup_escaped(url));
         }
         if (!shown_) out += span_tag(type, false);
     }
@@ -161,7 +162,7 @@ private:
         } else {
             if (!shown_) has_words_ = true;
             // Entities (&nbsp;) are HTML's own already.
-            to += shown_ || type == MD_TEXT_ENTITY ? std::string(text) : html_escaped(text);
+            to += shown_ || type == MD_TEXT_ENTITY ? std::string(text) : base::markup_escaped(text);
         }
     }
 

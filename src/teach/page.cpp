@@ -5,7 +5,6 @@
 #include "base/file.h"
 #include "base/resources.h"
 #include "base/text.h"
-#include "teach/formula.h"
 #include "teach/live.h"
 #include "teach/plot.h"
 
@@ -55,18 +54,18 @@ base::Error of_strip(base::Error error, const std::string& name) {
 std::string caption_of(const Figure& figure) {
     return figure.caption.empty()
                ? ""
-               : fmt::format("<figcaption>{}</figcaption>", html_escaped(figure.caption));
+               : fmt::format("<figcaption>{}</figcaption>", base::markup_escaped(figure.caption));
 }
 
 std::string image(const std::string& uri, math::Extent size, const std::string& alt) {
     return fmt::format("<img src=\"{}\" width=\"{}\" height=\"{}\" alt=\"{}\">", uri, size.width,
-                       size.height, html_escaped(alt));
+                       size.height, base::markup_escaped(alt));
 }
 
 std::string link(const PageLink& to, const char* arrow_before, const char* arrow_after) {
     if (to.file.empty()) return "<span></span>";
-    return fmt::format("<a href=\"{}\">{}{}{}</a>", html_escaped(to.file), arrow_before,
-                       html_escaped(to.title), arrow_after);
+    return fmt::format("<a href=\"{}\">{}{}{}</a>", base::markup_escaped(to.file), arrow_before,
+                       base::markup_escaped(to.title), arrow_after);
 }
 
 /// JSON that may stand in a script element: no "</".
@@ -106,9 +105,10 @@ base::Result<std::string> PageMaker::strip(const Strip& strip, const Figure& fig
         if (!shot) return tl::unexpected(of_strip(shot.error(), strip.name));
         const std::string& label = picture.label.in(texts_->language());
         const std::string alt = figure.caption + (label.empty() ? "" : " — " + label);
-        shots += fmt::format("<div class=\"shot\">{}{}</div>",
-                             image((*shot)->data_uri, (*shot)->size, alt), html_escaped(label));
-        commands += html_escaped((*shot)->command) + "\n";
+        shots +=
+            fmt::format("<div class=\"shot\">{}{}</div>",
+                        image((*shot)->data_uri, (*shot)->size, alt), base::markup_escaped(label));
+        commands += base::markup_escaped((*shot)->command) + "\n";
         is_wide = is_wide || (*shot)->size.width > 400;
     }
     return fmt::format(
@@ -168,10 +168,11 @@ std::string PageMaker::numbers(const Lesson& lesson) {
     std::string rows;
     for (const Number& number : lesson.numbers) {
         const std::string command = command_of(number.ask);
-        rows += fmt::format("<tr><td>{}</td><td class=\"value\">{}</td><td>{}</td></tr>",
-                            html_escaped(number.label.in(texts_->language())),
-                            written(number, answers_(number.ask)),
-                            command.empty() ? "" : "<pre>" + html_escaped(command) + "</pre>");
+        rows +=
+            fmt::format("<tr><td>{}</td><td class=\"value\">{}</td><td>{}</td></tr>",
+                        base::markup_escaped(number.label.in(texts_->language())),
+                        written(number, answers_(number.ask)),
+                        command.empty() ? "" : "<pre>" + base::markup_escaped(command) + "</pre>");
     }
     return fmt::format(
         "<h2>{}</h2><p>{}</p><div class=\"table\"><table "
@@ -192,7 +193,7 @@ std::string PageMaker::whole(const std::string& title, const std::string& nav,
         "<title>{}</title>\n<style>\n{}</style>\n</head>\n<body>\n<header>{}</header>\n<main>\n{}</"
         "main>\n"
         "<footer>{}</footer>\n{}</body>\n</html>\n",
-        texts_->language(), html_escaped(title), style_, nav, body, t("teach.footer"),
+        texts_->language(), base::markup_escaped(title), style_, nav, body, t("teach.footer"),
         is_live ? "<script>\n" + script_ + "</script>\n" : "");
 }
 
@@ -215,9 +216,10 @@ base::Result<std::string> PageMaker::lesson_page(const Lesson& lesson, const Pag
     const std::string nav =
         fmt::format("<nav>{}<a href=\"index.html\">{}</a>{}</nav>", link(links.before, "← ", ""),
                     t("teach.all_lessons"), link(links.after, "", " →"));
-    return whole(title, nav,
-                 fmt::format("<h1>{}</h1>\n{}{}", html_escaped(title), *article, numbers(lesson)),
-                 is_live);
+    return whole(
+        title, nav,
+        fmt::format("<h1>{}</h1>\n{}{}", base::markup_escaped(title), *article, numbers(lesson)),
+        is_live);
 }
 
 base::Result<std::string> PageMaker::index_page(std::span<const Lesson> lessons) {
@@ -230,9 +232,9 @@ base::Result<std::string> PageMaker::index_page(std::span<const Lesson> lessons)
             picture = image((*shot)->data_uri, (*shot)->size, "");
         }
         cards += fmt::format("<li><a href=\"{}.html\">{}<b>{}</b><span>{}</span></a></li>\n",
-                             html_escaped(lesson.name), picture,
-                             html_escaped(lesson.title(texts_->language())),
-                             html_escaped(summary_of(lesson, texts_->language())));
+                             base::markup_escaped(lesson.name), picture,
+                             base::markup_escaped(lesson.title(texts_->language())),
+                             base::markup_escaped(summary_of(lesson, texts_->language())));
     }
     return whole(std::string(t("teach.title")), "",
                  fmt::format("<h1>{}</h1>\n<p>{}</p>\n<ul class=\"cards\">\n{}</ul>\n",
