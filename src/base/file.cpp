@@ -202,6 +202,12 @@ Result<Bytes> read_file(const fs::path& path, std::size_t max_bytes) {
     return read_regular(fd, path.string(), max_bytes);
 }
 
+Result<std::string> read_text_file(const std::filesystem::path& path, std::size_t max_bytes) {
+    const auto bytes = read_file(path, max_bytes);
+    if (!bytes) return tl::unexpected(in_file(bytes.error(), path.string()));
+    return std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+}
+
 Result<Bytes> read_file_beneath(const fs::path& folder, std::string_view relative,
                                 std::span<const fs::path> allowed, std::size_t max_bytes) {
     const auto refuse = [&](std::string_view what, std::string_view remedy) {

@@ -19,6 +19,10 @@ using Bytes = std::vector<std::byte>;
 /// regular file"), limit_reached above `max_bytes`. Never blocks on a FIFO or device.
 [[nodiscard]] Result<Bytes> read_file(const std::filesystem::path& path, std::size_t max_bytes);
 
+/// The same as text, whatever its encoding. Every error names the file.
+[[nodiscard]] Result<std::string> read_text_file(const std::filesystem::path& path,
+                                                 std::size_t max_bytes);
+
 /// The whole of a file below `folder`, for a `relative` path that came from another file. Refuses
 /// with input_invalid whatever leaves the folder after resolving `..` and symbolic links, and
 /// whatever is not a regular file; `allowed` are further folders that may be read (--allow-read).

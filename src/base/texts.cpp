@@ -19,10 +19,9 @@ constexpr std::size_t most_bytes = std::size_t{4} << 20;
 using Map = std::map<std::string, std::string, std::less<>>;
 
 Status add(const std::filesystem::path& path, Map& texts) {
-    const auto bytes = read_file(path, most_bytes);
-    if (!bytes) return tl::unexpected(in_file(bytes.error(), path.string()));
-    const auto* text = reinterpret_cast<const char*>(bytes->data());
-    const auto json = nlohmann::json::parse(text, text + bytes->size(), nullptr, false);
+    const auto text = read_text_file(path, most_bytes);
+    if (!text) return tl::unexpected(text.error());
+    const auto json = nlohmann::json::parse(*text, nullptr, false);
     if (!json.is_object())
         return fail({.code = ErrorCode::internal,
                      .file = path.string(),

@@ -143,6 +143,14 @@ std::vector<Question> reflectance_questions(const tables::BrdfChoice& choice,
     return out;
 }
 
+Reflectance Queries::reflectance(const QuerySurface& surface) {
+    const std::vector<Question> questions = reflectance_questions(choice_, surface);
+    std::vector<double> answers;
+    answers.reserve(questions.size());
+    for (const Question& q : questions) answers.push_back(value(q.term, q.surface, q.at));
+    return brdf::reflectance(questions, answers);
+}
+
 Reflectance reflectance(std::span<const Question> questions, std::span<const double> answers) {
     Reflectance out;
     for (std::size_t i = 0; i < questions.size(); ++i) {

@@ -46,6 +46,13 @@ struct ExactAlbedo {
     double average = 0.0;
 };
 
+/// Shares of light from everywhere: what the specular and the diffuse lobe send back.
+struct Reflectance {
+    double specular = 0.0;
+    double diffuse = 0.0;
+    [[nodiscard]] double sum() const { return specular + diffuse; }
+};
+
 /// Answers questions about one choice of terms; remembers what takes a quadrature. Lights and
 /// environment are masked alike, by `choice.masking`.
 class Queries {
@@ -57,6 +64,8 @@ public:
     /// The same where the cosines are known.
     [[nodiscard]] double value(QueryTerm term, const QuerySurface& surface, const LightNode& at);
     [[nodiscard]] const ExactAlbedo& albedo(double n_dot_v, double roughness);
+    /// reflectance() of the answers to reflectance_questions().
+    [[nodiscard]] Reflectance reflectance(const QuerySurface& surface);
 
 private:
     /// The compensation that takes the mean albedo, and the albedo at the light's direction.
@@ -81,12 +90,6 @@ private:
 /// the mirror side.
 [[nodiscard]] LightNode cosines_of(double n_dot_v, double n_dot_l, double phi_deg);
 
-/// Shares of light from everywhere: what the specular and the diffuse lobe send back.
-struct Reflectance {
-    double specular = 0.0;
-    double diffuse = 0.0;
-    [[nodiscard]] double sum() const { return specular + diffuse; }
-};
 /// What to ask about a surface so that reflectance() finds it: directions that resolve either lobe,
 /// their weights among them. By quadrature of brdf_light itself, error below 1e-4 for roughness >=
 /// 0.03: it shares no formula with the albedo that the model conserves energy by.

@@ -1,14 +1,10 @@
 // facet brdf albedo, furnace, sample: tables of what a BRDF reflects, and of where it sends light.
 // SPDX-License-Identifier: MIT
-#include "brdf/albedo.h"
-#include "brdf/terms.h"
+#include "brdf/draw.h"
 #include "cli/brdf_options.h"
 
 #include <nlohmann/json.hpp>
 #include <spdlog/fmt/fmt.h>
-
-#include <cmath>
-#include <random>
 
 namespace facet::cli {
 namespace {
@@ -106,7 +102,6 @@ Result<Exit> brdf_furnace(const BrdfOptions& options, Io& io) {
 }
 
 Result<Exit> brdf_sample(const BrdfOptions& options, Io& io) {
-    using Lobe = brdf::Terms<double>;
     const auto choice = first_choice(options);
     if (!choice) return tl::unexpected(choice.error());
     BrdfOptions one = options;
@@ -121,30 +116,13 @@ Result<Exit> brdf_sample(const BrdfOptions& options, Io& io) {
              .what = "sample takes one surface and one view, roughness and n.v above 0",
              .remedy = "give --roughness, --metallic and --n-dot-v one number each"});
     const QuerySurface& s = grid->front();
-    Lobe terms{*choice};
-    auto surface = terms.brdf_surface(Lobe::real3(s.base), s.metallic, s.roughness);
-    surface.dielectric_f0 = s.f0;
     brdf::Queries queries(*choice);
-    const auto& albedo = queries.albedo(s.n_dot_v, s.roughness);
-    const auto view =
-        terms.brdf_view(surface, s.n_dot_v, {albedo.a, albedo.b, albedo.average, 1.0});
-    const Lobe::real3 v(std::sqrt(1.0 - s.n_dot_v * s.n_dot_v), 0.0, s.n_dot_v);
-    const auto sampler = terms.brdf_sampler(view, v);
-    std::mt19937 engine(static_cast<std::uint32_t>(options.seed.value_or(0.0)));
-    const auto next = [&] { return static_cast<double>(engine()) / 4294967296.0; };
+    brdf::Draws draws(*choice, s, queries, static_cast<std::uint32_t>(options.seed.value_or(0.0)));
     Table table({"x", "y", "z", "pdf", "value", "weight"}, io);
     const auto count = static_cast<std::size_t>(options.count.value_or(16.0));
     for (std::size_t i = 0; i < count; ++i) {
-        const double u0 = next(), u1 = next(), lobe = next();
-        const Lobe::real3 l = terms.brdf_sample(view, sampler, {u0, u1}, lobe);
-        double pdf = 0.0, value = 0.0;
-        if (l.z > 0.0) {
-            const Lobe::real3 h = glm::normalize(v + l);
-            const brdf::LightNode at{l.z, h.z, glm::dot(v, h), 0.0};
-            pdf = terms.brdf_pdf(view, sampler, at.n_dot_l, at.n_dot_h, at.v_dot_h);
-            value = queries.value(brdf::QueryTerm::full, s, at);
-        }
-        table.row({l.x, l.y, l.z, pdf, value, pdf > 0.0 ? value * l.z / pdf : 0.0});
+        const brdf::Drawn drawn = draws.next(brdf::Sampler::brdf);
+        table.row({drawn.l.x, drawn.l.y, drawn.l.z, drawn.pdf, drawn.value, drawn.weight()});
     }
     return Exit::done;
 }

@@ -8,6 +8,7 @@
 #include "gl/context.h"
 #include "image/write.h"
 #include "render/render.h"
+#include "scene/load.h"
 
 #include <fcntl.h>
 #include <nlohmann/json.hpp>
@@ -35,14 +36,6 @@ struct RenderOptions {
     bool show_reads = false;
     TypedSettings typed;
 };
-
-/// `SCENE.png` in the current folder.
-std::string default_output(const std::string& scene) {
-    if (scene == "-") return "stdin.png";
-    constexpr std::string_view builtin = "builtin:";
-    if (scene.starts_with(builtin)) return scene.substr(builtin.size()) + ".png";
-    return fs::path(scene).stem().string() + ".png";
-}
 
 base::Status check_standard_input() {
     const int mode = ::fcntl(STDIN_FILENO, F_GETFL);
@@ -193,7 +186,7 @@ void add_render(Declaration& command) {
         {"--show-reads", &options->show_reads, "", "Output", "tells every file that was opened"});
     options->typed.declare(flags);
     command.job = [options](Io& io) {
-        if (options->output.empty()) options->output = default_output(options->scene);
+        if (options->output.empty()) options->output = scene::stem_of(options->scene) + ".png";
         return run_render(*options, io);
     };
 }

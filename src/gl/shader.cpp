@@ -41,9 +41,7 @@ private:
     base::Result<std::string> read(const std::string& path) const {
         if (const auto made = sources_.generated.find(path); made != sources_.generated.end())
             return made->second;
-        auto bytes = base::read_file(sources_.folder / path, max_glsl_bytes);
-        if (!bytes) return tl::unexpected(bytes.error());
-        return std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+        return base::read_text_file(sources_.folder / path, max_glsl_bytes);
     }
 
     base::Status expand(std::string_view text, const std::string& path, std::size_t index,

@@ -54,6 +54,12 @@ base::Result<fs::path> path_of(const std::string& name) {
                        .remedy = base::suggestion(scene, names)});
 }
 
+std::string stem_of(const std::string& name) {
+    if (name == "-") return "stdin";
+    if (name.starts_with(builtin_prefix)) return name.substr(builtin_prefix.size());
+    return fs::path(name).stem().string();
+}
+
 std::vector<std::string> builtin_scene_names() {
     std::vector<std::string> names;
     const auto data = base::data_folder();

@@ -5,6 +5,7 @@
 #include "base/resources.h"
 #include "base/text.h"
 #include "render/job.h"
+#include "scene/load.h"
 #include "tables/settings_text.h"
 
 #include <spdlog/fmt/fmt.h>
@@ -80,8 +81,7 @@ void Commands::act_file(Action action) {
     Editor& editor = tools_.editor;
     const std::string& scene = editor.document.scene;
     const bool is_builtin = scene.starts_with(builtin);
-    const std::string stem =
-        is_builtin ? scene.substr(builtin.size()) : fs::path(scene).stem().string();
+    const std::string stem = scene::stem_of(scene);
     if (action == Action::open) choose_file(FilePurpose::open_scene, "");
     if (action == Action::open_environment) choose_file(FilePurpose::open_environment, "");
     if (action == Action::save && !is_builtin) {

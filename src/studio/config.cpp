@@ -54,10 +54,9 @@ void Config::remember(const std::string& scene) {
 
 Config load_config() {
     Config config;
-    const auto bytes = base::read_file(config_folder() / "studio.json", most_bytes);
-    if (!bytes) return config;
-    const auto* text = reinterpret_cast<const char*>(bytes->data());
-    const Json json = Json::parse(text, text + bytes->size(), nullptr, false);
+    const auto text = base::read_text_file(config_folder() / "studio.json", most_bytes);
+    if (!text) return config;
+    const Json json = Json::parse(*text, nullptr, false);
     if (!json.is_object()) return config;
     config.theme = text_or(json, "theme", "dark") == "light" ? Theme::light : Theme::dark;
     config.language = text_or(json, "language", "");

@@ -33,14 +33,8 @@ Lobes lobes_of(brdf::Queries& queries, const brdf::QuerySurface& surface) {
     return out;
 }
 
-Energy energy_of(brdf::Queries& queries, const tables::BrdfChoice& choice,
-                 const brdf::QuerySurface& surface) {
-    const auto questions = brdf::reflectance_questions(choice, surface);
-    std::vector<double> answers;
-    answers.reserve(questions.size());
-    for (const brdf::Question& q : questions)
-        answers.push_back(queries.value(q.term, q.surface, q.at));
-    const brdf::Reflectance shares = brdf::reflectance(questions, answers);
+Energy energy_of(brdf::Queries& queries, const brdf::QuerySurface& surface) {
+    const brdf::Reflectance shares = queries.reflectance(surface);
     return {static_cast<float>(shares.specular), static_cast<float>(shares.diffuse),
             static_cast<float>(std::max(0.0, 1.0 - shares.sum()))};
 }
@@ -72,7 +66,7 @@ PixelFacts facts_of(math::Vec2 at_px, std::vector<Probed> values, const math::Ve
         .n_dot_v = static_cast<double>(out.n_dot_v)};
     brdf::Queries queries(brdf);
     out.lobes = lobes_of(queries, surface);
-    out.energy = energy_of(queries, brdf, surface);
+    out.energy = energy_of(queries, surface);
     return out;
 }
 

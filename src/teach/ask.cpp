@@ -6,9 +6,7 @@
 #include "brdf/choice.h"
 #include "brdf/metal_spectra.h"
 #include "brdf/presets.h"
-#include "brdf/terms.h"
 #include "math/blackbody.h"
-#include "teach/monte_carlo.h"
 
 #include <spdlog/fmt/fmt.h>
 
@@ -41,9 +39,13 @@ double term_of(Answers& answers, const Ask& ask) {
     return answers.queries(ask.choice).value(term, surface_of(ask), node_of(ask));
 }
 
-double albedo_of(Answers& answers, const Ask& ask) { return answers.reflectance(ask).specular; }
-double entered_of(Answers& answers, const Ask& ask) { return answers.reflectance(ask).diffuse; }
-double furnace_of(Answers& answers, const Ask& ask) { return answers.reflectance(ask).sum(); }
+brdf::Reflectance reflectance_of(Answers& answers, const Ask& ask) {
+    return answers.queries(ask.choice).reflectance(surface_of(ask));
+}
+
+double albedo_of(Answers& answers, const Ask& ask) { return reflectance_of(answers, ask).specular; }
+double entered_of(Answers& answers, const Ask& ask) { return reflectance_of(answers, ask).diffuse; }
+double furnace_of(Answers& answers, const Ask& ask) { return reflectance_of(answers, ask).sum(); }
 double residual_of(Answers& answers, const Ask& ask) { return furnace_of(answers, ask) - 1.0; }
 double absorbed_of(Answers& answers, const Ask& ask) { return 1.0 - furnace_of(answers, ask); }
 double split_a_of(Answers& answers, const Ask& ask) {
@@ -86,11 +88,30 @@ double phong_of(Answers&, const Ask& ask) {
     return 4.0 * brdf::Terms<double>{}.phong(r_dot_l, exponent);
 }
 
-double estimate_of(Answers& answers, const Ask& ask) {
-    return estimate(answers.queries(ask.choice), sampling_of(ask), 1);
+/// (1/N) sum f(l) (n.l) / p(l), light of radiance 1 from everywhere; the same number for the same
+/// seed. Source: Pharr, Jakob & Humphreys 2023, Section 2.1.3.
+double estimate(Answers& answers, const Ask& ask, std::uint32_t seed) {
+    brdf::QuerySurface surface = surface_of(ask);
+    surface.roughness = std::max(surface.roughness, 1e-3);
+    surface.n_dot_v = std::max(surface.n_dot_v, 1e-3);
+    brdf::Draws draws(ask.choice, surface, answers.queries(ask.choice), seed);
+    const auto samples = static_cast<std::uint32_t>(ask.samples);
+    double sum = 0.0;
+    for (std::uint32_t i = 0; i < samples; ++i) sum += draws.next(ask.sampler).weight();
+    return sum / samples;
 }
+double estimate_of(Answers& answers, const Ask& ask) { return estimate(answers, ask, 1); }
+
+/// Root mean square error of many estimates over their true value.
 double error_of(Answers& answers, const Ask& ask) {
-    return relative_error(answers.queries(ask.choice), sampling_of(ask), furnace_of(answers, ask));
+    constexpr std::uint32_t repetitions = 96;
+    const double truth = furnace_of(answers, ask);
+    double sum = 0.0;
+    for (std::uint32_t i = 0; i < repetitions; ++i) {
+        const double off = estimate(answers, ask, i + 1) - truth;
+        sum += off * off;
+    }
+    return std::sqrt(sum / repetitions) / std::max(truth, 1e-12);
 }
 
 struct Kind {
@@ -184,9 +205,13 @@ void read_names(Fields& fields, Ask& ask) {
     for (const auto& metal : brdf::metal_spectra) metals.emplace_back(metal.name);
     if (std::ranges::find(metals, ask.metal) == metals.end())
         fields.refuse("metal", "no such metal", ask.metal, base::suggestion(ask.metal, metals));
-    ask.sampler = fields.text("sampler", ask.sampler);
-    if (!is_sampler(ask.sampler))
-        fields.refuse("sampler", "no such sampler", ask.sampler, "uniform, cosine or brdf");
+    const std::string sampler =
+        fields.text("sampler", brdf::samplers[static_cast<std::size_t>(ask.sampler)]);
+    const auto found = std::ranges::find(brdf::samplers, sampler);
+    if (found == brdf::samplers.end())
+        fields.refuse("sampler", "no such sampler", sampler, "uniform, cosine or brdf");
+    else
+        ask.sampler = static_cast<brdf::Sampler>(found - brdf::samplers.begin());
 }
 
 }  // namespace
@@ -232,17 +257,6 @@ double Answers::operator()(const Ask& ask) {
 
 brdf::Queries& Answers::queries(const tables::BrdfChoice& choice) {
     return queries_.try_emplace(choice, choice).first->second;
-}
-
-brdf::Reflectance Answers::reflectance(const Ask& ask) {
-    const std::vector<brdf::Question> questions =
-        brdf::reflectance_questions(ask.choice, surface_of(ask));
-    brdf::Queries& asked = queries(ask.choice);
-    std::vector<double> values;
-    values.reserve(questions.size());
-    for (const brdf::Question& q : questions)
-        values.push_back(asked.value(q.term, q.surface, q.at));
-    return brdf::reflectance(questions, values);
 }
 
 std::string command_of(const Ask& ask) {

@@ -2,7 +2,7 @@
 // their plots. SPDX-License-Identifier: MIT
 #pragma once
 
-#include "brdf/query.h"
+#include "brdf/draw.h"
 #include "teach/fields.h"
 
 #include <optional>
@@ -31,7 +31,7 @@ struct Ask {
     double channel = 0.0;  ///< 0 red, 1 green, 2 blue
     double kelvin = 6500.0;
     double samples = 16.0;
-    std::string sampler = "cosine";  ///< uniform, cosine or brdf
+    brdf::Sampler sampler = brdf::Sampler::cosine;
 };
 
 /// Everything that can be asked, with what it is.
@@ -57,7 +57,6 @@ public:
     [[nodiscard]] double operator()(const Ask& ask);
 
     [[nodiscard]] brdf::Queries& queries(const tables::BrdfChoice& choice);
-    [[nodiscard]] brdf::Reflectance reflectance(const Ask& ask);
 
 private:
     std::unordered_map<tables::BrdfChoice, brdf::Queries> queries_;

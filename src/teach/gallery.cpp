@@ -6,18 +6,13 @@
 #include "image/write.h"
 #include "render/render.h"
 #include "render/viewable.h"
+#include "scene/load.h"
 #include "tables/settings_text.h"
 
 #include <algorithm>
 
 namespace facet::teach {
 namespace {
-
-std::string stem_of(const std::string& scene) {
-    const std::size_t colon = scene.find(':');
-    if (colon != std::string::npos) return scene.substr(colon + 1);
-    return std::filesystem::path(scene).stem().string();
-}
 
 tables::Settings settings_of(const Picture& picture) {
     tables::Settings settings = picture.settings;
@@ -55,7 +50,7 @@ base::Result<image::Image> shown(const Picture& picture, const render::Rendered&
 
 std::string command_of(const Picture& picture) {
     return tables::command_line(tables::command_words("render", picture.scene, settings_of(picture),
-                                                      stem_of(picture.scene) + ".png"));
+                                                      scene::stem_of(picture.scene) + ".png"));
 }
 
 base::Result<const Shot*> Gallery::shot(const Picture& picture) {

@@ -234,12 +234,6 @@ Live read_live(const Json& json, Fields& lesson) {
     return live;
 }
 
-base::Result<std::string> read_text(const fs::path& path) {
-    const auto bytes = base::read_file(path, most_bytes);
-    if (!bytes) return tl::unexpected(base::in_file(bytes.error(), path.string()));
-    return std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size());
-}
-
 base::Result<fs::path> lessons_folder() {
     const auto folder = base::data_folder();
     if (!folder) return tl::unexpected(folder.error());
@@ -299,12 +293,12 @@ base::Result<Lesson> read_lesson(const fs::path& folder) {
     lesson.folder = folder;
     lesson.name = fs::absolute(folder / "x").parent_path().filename().string();
     for (const std::string_view language : base::languages) {
-        auto text = read_text(folder / fmt::format("{}.md", language));
+        auto text = base::read_text_file(folder / fmt::format("{}.md", language), most_bytes);
         if (!text) return tl::unexpected(text.error());
         lesson.texts[std::string(language)] = std::move(*text);
     }
     const fs::path path = folder / "lesson.json";
-    const auto json = read_text(path);
+    const auto json = base::read_text_file(path, most_bytes);
     if (!json) return tl::unexpected(json.error());
     if (auto parsed = parse_lesson(*json, lesson); !parsed)
         return tl::unexpected(base::in_file(parsed.error(), path.string()));

@@ -20,9 +20,7 @@ constexpr std::size_t most_bytes = std::size_t{1} << 20;
 base::Result<std::string> resource(const char* name) {
     const auto folder = base::data_folder();
     if (!folder) return tl::unexpected(folder.error());
-    const auto bytes = base::read_file(*folder / "resources" / "teach" / name, most_bytes);
-    if (!bytes) return tl::unexpected(bytes.error());
-    return std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+    return base::read_text_file(*folder / "resources" / "teach" / name, most_bytes);
 }
 
 template <class Named>
