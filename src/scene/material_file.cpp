@@ -3,6 +3,7 @@
 #include "scene/material_file.h"
 
 #include "base/file.h"
+#include "base/json.h"
 #include "base/resources.h"
 #include "base/text.h"
 #include "scene/gltf/json.h"
@@ -105,7 +106,7 @@ base::Result<fs::path> presets_folder() {
 }  // namespace
 
 base::Result<MaterialFile> parse_material(std::string_view text, const base::Limits& limits) {
-    const auto json = gltf::parse_json(text, limits);
+    const auto json = base::parse_json<gltf::Json>(text, limits);
     if (!json) return tl::unexpected(json.error());
     if (!json->is_object()) return invalid("", "not an object", *json);
     if (!json->contains("facet")) return invalid("facet", "is missing", Json(), "1");

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "scene/gltf/asset.h"
 
+#include "base/json.h"
 #include "scene/gltf/glb.h"
 #include "scene/gltf/uri.h"
 
@@ -61,7 +62,7 @@ std::optional<Asset> open_asset(base::Bytes file, Origin origin, const base::Lim
         problems.add(not_gltf(text));
         return std::nullopt;
     }
-    auto json = parse_json(text, limits);
+    auto json = base::parse_json<Json>(text, limits);
     if (!json) {
         const bool is_range = json.error().what == "number does not fit";
         problems.add(to_problem(is_range ? "VALUE_NOT_IN_RANGE" : "INVALID_JSON",

@@ -2,37 +2,21 @@
 // SPDX-License-Identifier: MIT
 #include "scene/gltf/json.h"
 
+#include "base/json.h"
+
 #include <spdlog/fmt/fmt.h>
 
 #include <limits>
 #include <vector>
 
 namespace facet::scene::gltf {
-namespace {
-
-/// RFC 6901: ~ and / inside a key.
-std::string escaped_key(std::string_view key) {
-    std::string out;
-    for (const char c : key) {
-        if (c == '~')
-            out += "~0";
-        else if (c == '/')
-            out += "~1";
-        else
-            out += c;
-    }
-    return out;
-}
-
-}  // namespace
-
 std::string Pointer::text() const {
     std::vector<const Pointer*> parts;
     for (const Pointer* p = this; p->parent_ != nullptr; p = p->parent_) parts.push_back(p);
     std::string out;
     for (auto it = parts.rbegin(); it != parts.rend(); ++it) {
         out += '/';
-        out += (*it)->key_.data() != nullptr ? escaped_key((*it)->key_)
+        out += (*it)->key_.data() != nullptr ? base::pointer_key((*it)->key_)
                                              : std::to_string((*it)->index_);
     }
     return out;

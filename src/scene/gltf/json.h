@@ -1,9 +1,6 @@
-// glTF's JSON: parsed within limits, and read without trusting any type.
+// glTF's JSON, read without trusting any type.
 // SPDX-License-Identifier: MIT
 #pragma once
-
-#include "base/limits.h"
-#include "base/result.h"
 
 #include <nlohmann/json.hpp>
 
@@ -16,12 +13,6 @@
 namespace facet::scene::gltf {
 
 using Json = nlohmann::json;
-
-/// The document, with every limit of base::Limits held while it is read (no recursion: a nesting of
-/// 10^6 is an error, not a stack overflow). Whole numbers written as floats (`1.0`) become
-/// integers. Keys are unique. Errors: input_invalid (syntax, duplicate key, a number that fits
-/// nothing), limit_reached.
-[[nodiscard]] base::Result<Json> parse_json(std::string_view text, const base::Limits& limits);
 
 /// A place in the document, linked on the stack, so that its text is only made when it is printed.
 class Pointer {
