@@ -23,6 +23,10 @@ add_library(facet_dep_codecs INTERFACE)
 target_link_libraries(facet_dep_codecs INTERFACE
   PNG::PNG JPEG::JPEG PkgConfig::webp PkgConfig::deflate OpenEXR::OpenEXR)
 
+pkg_check_modules(nettle REQUIRED IMPORTED_TARGET nettle)
+add_library(facet_dep_hash INTERFACE)
+target_link_libraries(facet_dep_hash INTERFACE PkgConfig::nettle)
+
 find_package(nlohmann_json REQUIRED)
 add_library(facet_dep_json INTERFACE)
 target_link_libraries(facet_dep_json INTERFACE nlohmann_json::nlohmann_json)

@@ -16,7 +16,7 @@ if(TARGET facet)
   if(TARGET facet_oiio)  # the program looks for its modules in ../lib/facet
     install(TARGETS facet_oiio LIBRARY DESTINATION lib/facet)
   endif()
-  foreach(room base math tables image brdf scene gl frame trace render explain teach)
+  foreach(room base math tables image brdf scene gl frame trace render batch explain teach)
     get_target_property(kind facet_${room} TYPE)
     if(kind STREQUAL "STATIC_LIBRARY")
       install(TARGETS facet_${room} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})

@@ -49,7 +49,7 @@ function(facet_tests room)
   endforeach()
 endfunction()
 
-foreach(room base math tables image brdf scene gl frame trace render explain studio teach cli)
+foreach(room base math tables image brdf scene gl frame trace render batch explain studio teach cli)
   facet_tests(${room})
 endforeach()
 

@@ -96,13 +96,6 @@ int open_without_links(const fs::path& resolved) {
     return ::open(resolved.c_str(), read_flags | O_NOFOLLOW);  // kernels before 5.6, some sandboxes
 }
 
-bool is_beneath(const fs::path& path, const fs::path& folder) {
-    if (folder.empty())
-        return false;  // of a folder that could not be resolved; everything would be in it
-    const auto [end, rest] = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
-    return end == folder.end() && rest != path.end();
-}
-
 Status write_all(int fd, std::span<const std::byte> bytes, const std::string& file) {
     while (!bytes.empty()) {
         const ssize_t put = ::write(fd, bytes.data(), bytes.size());
@@ -196,6 +189,12 @@ Status write_and_sync(int fd, std::span<const std::byte> bytes, const std::strin
 }
 
 }  // namespace
+
+bool is_beneath(const fs::path& path, const fs::path& folder) {
+    if (folder.empty()) return false;  // it could not be resolved; everything would be in it
+    const auto [end, rest] = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
+    return end == folder.end() && rest != path.end();
+}
 
 Result<Bytes> read_file(const fs::path& path, std::size_t max_bytes) {
     const Descriptor fd(::open(path.c_str(), read_flags));

@@ -32,6 +32,10 @@ using Bytes = std::vector<std::byte>;
                                               std::span<const std::filesystem::path> allowed,
                                               std::size_t max_bytes);
 
+/// Whether `path` is `folder` or lies in it; both resolved of links. Nothing is in an empty folder.
+[[nodiscard]] bool is_beneath(const std::filesystem::path& path,
+                              const std::filesystem::path& folder);
+
 /// Everything on standard input. Errors: limit_reached above `max_bytes`.
 [[nodiscard]] Result<Bytes> read_stdin(std::size_t max_bytes);
 

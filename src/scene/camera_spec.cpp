@@ -21,15 +21,22 @@ constexpr float near_share = 1e-3F;  // of the distance to the far end: depth ke
 constexpr float smallest_extent_m = 1e-6F;
 constexpr float largest_extent_m = 1e9F;  // beyond, distances squared leave float's range
 
+/// What an orbit without a distance makes fit the picture: the box as it is seen, the box at every
+/// azimuth (so that a turntable keeps its distance), or the sphere around it.
+enum class Fit { view, turn, sphere };
+const std::array<std::string, 3> fit_names = {"view", "turn", "sphere"};
+
 struct Orbit {
     float azimuth_deg = 35.0F;
     float elevation_deg = 15.0F;
     std::optional<float> distance_m;
     std::optional<Vec3> target_m;
+    Fit fit = Fit::view;
 };
 
 base::Result<Orbit> parse_orbit(std::string_view text) {
-    static const std::array<std::string, 4> keys = {"azimuth", "elevation", "distance", "target"};
+    static const std::array<std::string, 5> keys = {"azimuth", "elevation", "distance", "target",
+                                                    "fit"};
     Orbit orbit;
     for (const std::string_view part : base::split(text, ',')) {
         if (base::trimmed(part).empty()) continue;
@@ -39,6 +46,14 @@ base::Result<Orbit> parse_orbit(std::string_view text) {
             equals == std::string_view::npos ? "" : part.substr(equals + 1);
         if (std::find(keys.begin(), keys.end(), key) == keys.end())
             return usage_error("unknown key of orbit", key, base::suggestion(key, keys));
+        if (key == "fit") {
+            const auto* const name = std::ranges::find(fit_names, base::trimmed(value));
+            if (name == fit_names.end())
+                return usage_error("fit of orbit is view, turn or sphere", value,
+                                   base::suggestion(value, fit_names));
+            orbit.fit = static_cast<Fit>(name - fit_names.begin());
+            continue;
+        }
         const auto number = base::parse_number(base::trimmed(value));
         const auto vector = parse_vector(key, value, {-1e9, 1e9});
         const bool is_target = key == "target";
@@ -122,6 +137,27 @@ void set_depth_range(Camera& camera, const math::Bounds& bounds) {
     camera.near_m = std::max(near * 0.99F, far * near_share);
 }
 
+/// Where an orbit's eye is, when its distance is not given.
+float fitted_distance(const Orbit& orbit, const math::Bounds& bounds, const Vec3& target,
+                      float yfov_rad, float aspect) {
+    if (orbit.fit == Fit::view)
+        return fitting_distance(bounds, axes_of(orbit), target, yfov_rad, aspect);
+    if (orbit.fit == Fit::sphere) {
+        const float half = std::atan(std::tan(yfov_rad * 0.5F) * std::min(aspect, 1.0F) / margin);
+        const float radius = bounds.diagonal() * 0.5F + math::length(bounds.center() - target);
+        return radius / std::sin(half);
+    }
+    float distance = 0.0F;
+    constexpr int step_deg = 5;
+    for (int turn_deg = 0; turn_deg < 360; turn_deg += step_deg) {
+        const Orbit turned{.azimuth_deg = static_cast<float>(turn_deg),
+                           .elevation_deg = orbit.elevation_deg};
+        distance =
+            std::max(distance, fitting_distance(bounds, axes_of(turned), target, yfov_rad, aspect));
+    }
+    return distance;
+}
+
 Camera orbit_camera(const Scene& scene, const Orbit& orbit, float fov_deg, math::Extent size) {
     const math::Bounds bounds = framed_bounds(scene);
     const math::Mat3 axes = axes_of(orbit);
@@ -131,7 +167,7 @@ Camera orbit_camera(const Scene& scene, const Orbit& orbit, float fov_deg, math:
     camera.yfov_rad = glm::radians(fov_deg > 0.0F ? fov_deg : default_fov_deg);
     const float distance = orbit.distance_m
                                ? *orbit.distance_m
-                               : fitting_distance(bounds, axes, target, camera.yfov_rad, aspect);
+                               : fitted_distance(orbit, bounds, target, camera.yfov_rad, aspect);
     camera.world_from_view = Mat4(axes);
     camera.world_from_view[3] = Vec4(target + axes[2] * distance, 1.0F);
     set_depth_range(camera, bounds);
@@ -167,6 +203,27 @@ base::Result<Camera> resolve_camera(const Scene& scene, const std::string& spec,
     Camera camera = scene.cameras[index];
     if (fov_deg > 0.0F) camera.yfov_rad = glm::radians(fov_deg);
     return camera;
+}
+
+base::Result<std::string> turned_orbit(const std::string& spec, double degrees) {
+    Orbit orbit;
+    if (spec.starts_with("orbit")) {
+        const auto parsed = parse_orbit(spec.size() > 6 ? std::string_view(spec).substr(6) : "");
+        if (!parsed) return tl::unexpected(parsed.error());
+        orbit = *parsed;
+    } else if (spec != "auto") {
+        return usage_error("only auto and orbit:… can be turned around the model", spec,
+                           "orbit:azimuth=35,elevation=15");
+    }
+    const double azimuth_deg = std::fmod(static_cast<double>(orbit.azimuth_deg) + degrees, 360.0);
+    std::string out = fmt::format("orbit:azimuth={},elevation={}", static_cast<float>(azimuth_deg),
+                                  orbit.elevation_deg);
+    if (orbit.target_m)
+        out += fmt::format(",target={} {} {}", orbit.target_m->x, orbit.target_m->y,
+                           orbit.target_m->z);
+    if (orbit.distance_m) return out + fmt::format(",distance={}", *orbit.distance_m);
+    const Fit fit = orbit.fit == Fit::view ? Fit::turn : orbit.fit;
+    return out + ",fit=" + fit_names[static_cast<std::size_t>(fit)];
 }
 
 Mat4 view_from_world(const Camera& camera) { return math::inverse(camera.world_from_view); }

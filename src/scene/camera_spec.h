@@ -12,11 +12,16 @@ namespace facet::scene {
 
 /// The camera that `spec` names: a camera's or its node's name, its index, `auto` (the file's first
 /// camera, else framed on the model), or `orbit:azimuth=…,elevation=…,distance=…,target=x y z`
-/// (degrees, metres). `fov_deg` above 0 replaces the vertical angle. `size` is the picture's. Never
-/// gives a NaN, whatever the model's extent. Errors: usage (unknown name or key, with what there
-/// is).
+/// (degrees, metres); without a distance `fit=view` fits the box as it is seen, `fit=turn` at every
+/// azimuth, `fit=sphere` the sphere around it. `fov_deg` above 0 replaces the vertical angle.
+/// `size` is the picture's. Never gives a NaN, whatever the model's extent. Errors: usage (unknown
+/// name or key, with what there is).
 [[nodiscard]] base::Result<Camera> resolve_camera(const Scene& scene, const std::string& spec,
                                                   float fov_deg, math::Extent size);
+
+/// The camera `auto` or `orbit:…` turned around the model by an angle; without a distance it keeps
+/// the one that fits at every azimuth. Errors: usage (a camera of the file; as above).
+[[nodiscard]] base::Result<std::string> turned_orbit(const std::string& spec, double degrees);
 
 [[nodiscard]] Mat4 view_from_world(const Camera& camera);
 /// GL's clip space, depth -1..1. The vertical angle (or ymag) stays when the aspect differs from

@@ -120,6 +120,26 @@ base::Result<Image> read(const std::string& path, const base::Limits& limits,
     return rgb;
 }
 
+/// The kind whose name stands before a colon.
+std::optional<tables::EnvironmentKind> kind_named(std::string_view name) {
+    for (std::size_t i = 0; i < tables::environments.size(); ++i)
+        if (tables::environments[i].key == name) return static_cast<tables::EnvironmentKind>(i);
+    return std::nullopt;
+}
+
+/// A computed environment; `spec` begins with the name of one.
+base::Result<Image> compute(const std::string& spec, base::ThreadPool& pool) {
+    const std::size_t colon = spec.find(':');
+    const auto kind = *kind_named(spec.substr(0, colon));
+    const std::string_view parameters =
+        colon == std::string::npos ? std::string_view() : std::string_view(spec).substr(colon + 1);
+    const tables::EnvironmentRow& row = tables::environments[static_cast<std::size_t>(kind)];
+    if (!parameters.empty() && row.keys.empty())
+        return usage_error(fmt::format("{} takes no parameters", row.key), parameters,
+                           "leave them out");
+    return compute(kind, parameters, pool);
+}
+
 /// Whether `spec` is a file and not a misspelt name.
 bool is_path(const std::string& spec) {
     std::error_code none;
@@ -129,28 +149,22 @@ bool is_path(const std::string& spec) {
 
 }  // namespace
 
+base::Result<std::optional<std::filesystem::path>> environment_file(const std::string& spec) {
+    const std::string name = spec.substr(0, spec.find(':'));
+    if (kind_named(name)) return std::nullopt;
+    if (is_path(spec)) return spec;
+    std::vector<std::string> names;
+    for (const tables::EnvironmentRow& row : tables::environments) names.emplace_back(row.key);
+    return usage_error("no such environment", name, suggestion(name, names));
+}
+
 base::Result<Environment> load_environment(const std::string& spec, const base::Limits& limits,
                                            base::ThreadPool& pool, base::Warnings& warnings) {
-    const std::size_t colon = spec.find(':');
-    const std::string name = spec.substr(0, colon);
-    const std::string_view parameters =
-        colon == std::string::npos ? std::string_view() : std::string_view(spec).substr(colon + 1);
-    std::vector<std::string> names;
-    std::optional<base::Result<Image>> picture;
-    for (std::size_t i = 0; i < tables::environments.size(); ++i) {
-        const tables::EnvironmentRow& row = tables::environments[i];
-        names.emplace_back(row.key);
-        if (row.key != name) continue;
-        if (!parameters.empty() && row.keys.empty())
-            return usage_error(fmt::format("{} takes no parameters", name), parameters,
-                               "leave them out");
-        picture = compute(static_cast<tables::EnvironmentKind>(i), parameters, pool);
-    }
-    if (!picture && !is_path(spec))
-        return usage_error("no such environment", name, suggestion(name, names));
-    if (!picture) picture = read(spec, limits, warnings);
-    if (!*picture) return tl::unexpected(picture->error());
-    return Environment{spec, std::make_shared<Image>(std::move(**picture))};
+    const auto file = environment_file(spec);
+    if (!file) return tl::unexpected(file.error());
+    auto picture = *file ? read(spec, limits, warnings) : compute(spec, pool);
+    if (!picture) return tl::unexpected(picture.error());
+    return Environment{spec, std::make_shared<Image>(std::move(*picture))};
 }
 
 }  // namespace facet::scene

@@ -9,6 +9,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -21,6 +22,11 @@ struct Environment {
     std::string name;
     std::shared_ptr<const image::Image> latlong;
 };
+
+/// The file that `spec` names; none for a computed environment. Errors: usage (unknown name, with
+/// the nearest right ones).
+[[nodiscard]] base::Result<std::optional<std::filesystem::path>> environment_file(
+    const std::string& spec);
 
 /// `spec`: a name of tables/environments.def, with parameters for some
 /// (`sky:sun_elevation=30,turbidity=3`), or the path of a lat-long .hdr or .exr. Errors: usage

@@ -1,0 +1,359 @@
+// One entry of a job's items: its members over the defaults, as a product of axes.
+// SPDX-License-Identifier: MIT
+#include "batch/group.h"
+
+#include "base/file.h"
+#include "base/json.h"
+#include "base/text.h"
+#include "batch/glob.h"
+#include "scene/camera_spec.h"
+#include "scene/environment.h"
+#include "tables/material.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+
+namespace facet::batch {
+namespace {
+
+namespace fs = std::filesystem;
+using base::ErrorCode;
+
+tl::unexpected<base::Error> invalid(std::string what, std::string found, std::string remedy = {}) {
+    return base::fail({.code = ErrorCode::input_invalid,
+                       .what = std::move(what),
+                       .found = std::move(found),
+                       .remedy = std::move(remedy)});
+}
+
+std::string brief(const Json& value) {
+    if (value.is_string()) return value.get<std::string>();
+    return value.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+bool is_texture_path(std::string_view path) {
+    const std::string_view key = path.substr(path.rfind('.') + 1);
+    return path.starts_with("material") &&
+           std::ranges::any_of(tables::material_textures,
+                               [&](const auto& row) { return row.key == key; });
+}
+
+/// The key of a flag, as "env_rotation" of "--env-rotation".
+std::string key_of_flag(std::string flag) {
+    if (!flag.starts_with("--")) return {};
+    flag.erase(0, 2);
+    std::ranges::replace(flag, '-', '_');
+    return flag;
+}
+
+}  // namespace
+
+struct GroupReader::Members {
+    std::vector<Given> given;
+    Given output;  ///< value null where there is none
+    Given frames;
+
+    /// The later one of two with one key stands, in the place of the first.
+    void add(Given one) {
+        for (Given& old : given)
+            if (old.kind == one.kind && old.key == one.key) {
+                old = std::move(one);
+                return;
+            }
+        given.push_back(std::move(one));
+    }
+    [[nodiscard]] std::string pointer_of(const base::Error& error) const {
+        const std::string key = key_of_flag(error.file);
+        for (const Given& one : given)
+            if (one.key == key || (!error.where.empty() && one.key == error.where))
+                return one.pointer;
+        return {};
+    }
+};
+
+bool is_job_key(const tables::Setting& row) { return row.key != "allow_read" && row.key != "base"; }
+
+std::vector<std::string> GroupReader::known_keys() const {
+    std::vector<std::string> keys = {"scene", "output", "frames"};
+    for (const tables::Setting& row : tables::settings)
+        if (is_job_key(row)) keys.emplace_back(row.key);
+    return keys;
+}
+
+void GroupReader::keep(base::Error error, const std::string& pointer) {
+    if (error.code == ErrorCode::usage) error.code = ErrorCode::input_invalid;
+    if (!error.where.starts_with('/')) error.where = pointer;
+    error.file.clear();
+    const auto is_same = [&](const base::Error& old) {
+        return old.where == error.where && old.what == error.what;  // of defaults, once
+    };
+    if (std::ranges::none_of(in_.problems.errors, is_same))
+        in_.problems.errors.push_back(std::move(error));
+}
+
+void GroupReader::collect_sets(const Json& paths, const std::string& pointer, Members& out) {
+    for (const auto& [path, value] : paths.items())
+        out.add({AxisKind::path, path, &value, pointer + "/" + base::pointer_key(path)});
+}
+
+void GroupReader::collect(const Json& object, const std::string& pointer, Members& out) {
+    const std::vector<std::string> known = known_keys();
+    for (const auto& [key, value] : object.items()) {
+        const std::string place = pointer + "/" + base::pointer_key(key);
+        if (std::ranges::find(known, key) == known.end()) {
+            const bool is_own = key == "allow_read" || key == "base";
+            keep(invalid(is_own ? "is for the command line" : "unknown key", key,
+                         is_own ? "facet batch JOB --allow-read DIR" : base::suggestion(key, known))
+                     .value(),
+                 place);
+        } else if (key == "output") {
+            out.output = {AxisKind::setting, key, &value, place};
+        } else if (key == "frames") {
+            out.frames = {AxisKind::frame, key, &value, place};
+        } else if (key == "set" && value.is_object()) {
+            collect_sets(value, place, out);
+        } else {
+            out.add({key == "scene" ? AxisKind::scene : AxisKind::setting, key, &value, place});
+        }
+    }
+}
+
+base::Result<std::string> GroupReader::path_in_job(const std::string& text) const {
+    if (text.find("://") != std::string::npos)
+        return invalid("network is never used", text, "download it");
+    if (text.empty() || text.find('\0') != std::string::npos)
+        return invalid("not a file name", text);
+    const fs::path path = (in_.job.folder / text).lexically_normal();
+    std::error_code error;
+    const fs::path folder = in_.job.folder.empty() ? "." : in_.job.folder;
+    const fs::path resolved = fs::weakly_canonical(path, error);
+    if (error) return invalid("cannot be resolved: " + error.message(), text);
+    const auto holds = [&](const fs::path& allowed) {
+        return base::is_beneath(resolved, fs::weakly_canonical(allowed, error));
+    };
+    if (!holds(folder) && std::ranges::none_of(in_.options.settings.allow_read, holds))
+        return invalid("outside the job's folder", text, "--allow-read DIR if it may be read");
+    return path.string();
+}
+
+base::Status GroupReader::resolve_scenes(const Given& given, std::vector<Json>& scenes) {
+    std::vector<Json> out;
+    for (const Json& value : scenes) {
+        if (!value.is_string()) return invalid("a scene is a text", brief(value));
+        const auto& text = value.get_ref<const std::string&>();
+        if (text == "-") return invalid("a job reads no standard input", text, "give a file");
+        if (text.starts_with("builtin:")) {
+            out.emplace_back(text);
+            continue;
+        }
+        const bool has_pattern = is_pattern(text) && !fs::exists(in_.job.folder / text);
+        std::vector<std::string> files{text};
+        if (has_pattern) files = matching_files(in_.job.folder, text);
+        if (files.empty())
+            in_.problems.warnings.push_back(
+                {.where = given.pointer, .what = "no file is named so", .found = text});
+        for (const std::string& file : files) {
+            const auto path = path_in_job(file);
+            if (!path) return tl::unexpected(path.error());
+            std::error_code error;
+            if (!has_pattern && !fs::exists(*path, error))
+                in_.problems.warnings.push_back(
+                    {.where = given.pointer, .what = "no such file", .found = text});
+            out.emplace_back(*path);
+        }
+    }
+    scenes = std::move(out);
+    return {};
+}
+
+base::Status GroupReader::resolve(const Given& given, Json& value) const {
+    const auto resolve_text = [&](Json& text) -> base::Status {
+        const auto path = path_in_job(text.get<std::string>());
+        if (!path) return tl::unexpected(path.error());
+        text = *path;
+        return {};
+    };
+    if (given.kind == AxisKind::path) {
+        const bool is_file = is_texture_path(given.key) && value.is_string() && value != "none";
+        return is_file ? resolve_text(value) : base::Status{};
+    }
+    if (given.key == "env" && value.is_string()) {
+        const auto file = scene::environment_file(value.get<std::string>());
+        if (!file) return tl::unexpected(file.error());
+        return *file ? resolve_text(value) : base::Status{};
+    }
+    if (given.key != "material") return {};
+    for (Json& one : value.is_array() ? value : value = Json::array({value})) {
+        if (!one.is_string()) continue;
+        const auto text = one.get<std::string>();
+        const std::size_t equals = text.rfind('=');
+        if (equals == std::string::npos || !text.ends_with(".json")) continue;
+        const auto path = path_in_job(text.substr(equals + 1));
+        if (!path) return tl::unexpected(path.error());
+        one = text.substr(0, equals + 1) + *path;
+    }
+    return {};
+}
+
+void GroupReader::put_one(const Given& given, Json value, Group& group) {
+    if (auto resolved = resolve(given, value); !resolved)
+        return keep(resolved.error(), given.pointer);
+    const std::string label = label_of(given.kind, given.key, *given.value);
+    if (auto set = apply(given.kind, given.key, value, group.settings); !set)
+        return keep(set.error(), given.pointer);
+    group.fixed.emplace_back(given.key, label);
+}
+
+void GroupReader::put_axis(Axis axis, Group& group) {
+    for (std::size_t i = 0; i < axis.values.size(); ++i) {
+        const std::string place = fmt::format("{}/{}", axis.pointer, i);
+        const Given given{axis.kind, axis.key, &axis.values[i], place};
+        Json value = axis.values[i];
+        if (auto resolved = resolve(given, value); !resolved) return keep(resolved.error(), place);
+        axis.values[i] = std::move(value);
+    }
+    group.axes.push_back(std::move(axis));
+}
+
+void GroupReader::put(const Given& given, Group& group) {
+    if (given.kind == AxisKind::scene) {
+        std::vector<Json> scenes{*given.value};
+        if (given.value->is_array()) scenes.assign(given.value->begin(), given.value->end());
+        const bool is_one = !given.value->is_array();
+        if (auto s = resolve_scenes(given, scenes); !s) return keep(s.error(), given.pointer);
+        if (is_one && scenes.size() == 1) {
+            group.scene = scenes.front().get<std::string>();
+            return;
+        }
+        Axis axis{.kind = AxisKind::scene, .key = "scene", .pointer = given.pointer};
+        for (Json& scene : scenes) {
+            axis.labels.push_back(label_of(AxisKind::scene, "scene", scene));
+            axis.values.push_back(std::move(scene));
+        }
+        group.axes.push_back(std::move(axis));
+        return;
+    }
+    auto values = sort_out(given);
+    if (!values) return keep(values.error(), given.pointer);
+    if (auto* one = std::get_if<Json>(&*values)) return put_one(given, std::move(*one), group);
+    if (auto* axis = std::get_if<Axis>(&*values)) return put_axis(std::move(*axis), group);
+    Draw draw = std::move(std::get<Draw>(*values));
+    draw.pointer = given.pointer;
+    group.draws.push_back(std::move(draw));
+}
+
+void GroupReader::read_frames(const Given& given, Group& group) {
+    const Json& frames = *given.value;
+    const auto refuse = [&](std::string what, const Json& found, std::string remedy) {
+        keep(invalid(std::move(what), brief(found), std::move(remedy)).value(), given.pointer);
+    };
+    constexpr std::size_t most = 100'000;
+    if (!frames.is_object() || frames.empty())
+        return refuse("takes an object", frames, "{\"orbit\": 36}");
+    for (const auto& [key, value] : frames.items()) {
+        if (key == "animation" || key == "fps") {
+            keep(base::Error{.code = ErrorCode::feature_missing,
+                             .what = "animations are not played yet",
+                             .found = brief(value),
+                             .remedy = "{\"orbit\": 36} makes a turntable"},
+                 given.pointer + "/" + key);
+            return;
+        }
+        const std::vector<std::string> known = {"orbit", "animation", "fps"};
+        if (key != "orbit") {
+            keep(invalid("unknown key", key, base::suggestion(key, known)).value(),
+                 given.pointer + "/" + base::pointer_key(key));
+            return;
+        }
+        if (!value.is_number_unsigned() || value < 1 || value > most)
+            return refuse(fmt::format("orbit takes a number of frames from 1 to {}", most), value,
+                          "36 turns by 10 degrees a frame");
+    }
+    group.turntable = Turntable{frames["orbit"].get<std::size_t>()};
+    Axis axis{.kind = AxisKind::frame, .key = "frame", .pointer = given.pointer};
+    for (std::size_t i = 0; i < group.turntable->frame_count; ++i) {
+        axis.values.emplace_back(i);
+        axis.labels.push_back(fmt::format("{}", i));
+    }
+    group.axes.push_back(std::move(axis));
+}
+
+void GroupReader::name_outputs(const Members& members, const std::string& pointer, Group& group) {
+    const Json* const text = members.output.value != nullptr ? members.output.value : in_.output;
+    const std::string place = members.output.value != nullptr ? members.output.pointer : "/output";
+    if (text == nullptr)
+        return keep(invalid("has no output", "", "\"output\": \"out/{scene}-{index}.png\"").value(),
+                    pointer);
+    if (!text->is_string()) return keep(invalid("is not a text", brief(*text)).value(), place);
+    std::vector<std::string> known = {"scene", "folder", "index", "camera"};
+    if (group.turntable) known.emplace_back("frame");
+    for (const Given& given : members.given) known.push_back(given.key);
+    auto parsed = NameTemplate::parse(text->get<std::string>(), known);
+    if (!parsed) return keep(parsed.error(), place);
+    group.output = std::move(*parsed);
+}
+
+void GroupReader::check(const Members& members, const Group& group, const std::string& pointer) {
+    // Every value once, beside the first of all the others: the product is not walked.
+    const auto try_with = [&](const Axis* changed, std::size_t index) {
+        tables::Settings settings = group.settings;
+        for (const Axis& axis : group.axes) {
+            if (axis.values.empty()) return true;
+            const Json& value = axis.values[&axis == changed ? index : 0];
+            const std::string place =
+                &axis == changed ? fmt::format("{}/{}", axis.pointer, index) : axis.pointer;
+            if (auto set = apply(axis.kind, axis.key, value, settings); !set)
+                return keep(set.error(), place), false;
+        }
+        for (const Draw& draw : group.draws)
+            for (const Json& end : draw.from)
+                if (auto set = apply(draw.kind, draw.key, end, settings); !set)
+                    return keep(set.error(), draw.pointer), false;
+        auto checked = check_settings(settings, in_.options.limits);
+        if (checked && group.turntable)
+            if (const auto turned = scene::turned_orbit(settings.camera, 0.0); !turned)
+                checked = tl::unexpected(base::in_file(turned.error(), "--camera"));
+        if (checked) return true;
+        if (changed != nullptr)
+            return keep(checked.error(), fmt::format("{}/{}", changed->pointer, index)), false;
+        const std::string place = members.pointer_of(checked.error());
+        base::Error error = checked.error();
+        error.where.clear();
+        return keep(error, place.empty() ? pointer : place), false;
+    };
+    if (!try_with(nullptr, 0)) return;
+    for (const Axis& axis : group.axes) {
+        if (axis.kind == AxisKind::scene || axis.kind == AxisKind::frame) continue;
+        for (std::size_t i = 1; i < axis.values.size(); ++i) try_with(&axis, i);
+    }
+}
+
+void GroupReader::read(const Json& item, const std::string& pointer) {
+    if (!item.is_object()) return keep(invalid("is no object", brief(item)).value(), pointer);
+    const std::size_t errors_before = in_.problems.errors.size();
+    Members members;
+    collect(in_.defaults, "/defaults", members);
+    collect(item, pointer, members);
+    Group group;
+    group.settings = in_.options.settings;
+    for (const Given& given : members.given) put(given, group);
+    if (members.frames.value != nullptr) read_frames(members.frames, group);
+    name_outputs(members, pointer, group);
+    const bool has_scene =
+        std::ranges::any_of(members.given, [](const Given& g) { return g.key == "scene"; });
+    if (!has_scene) keep(invalid("has no scene", "", "\"scene\": \"model.glb\"").value(), pointer);
+    if (in_.problems.errors.size() == errors_before) check(members, group, pointer);
+    group.item_count = 1;
+    for (const Axis& axis : group.axes) {
+        if (axis.values.empty()) group.item_count = 0;
+        if (group.item_count > 0 && axis.values.size() > 1'000'000'000 / group.item_count)
+            return keep(base::Error{.code = ErrorCode::limit_reached,
+                                    .what = "more items than can be counted"},
+                        pointer);
+        group.item_count *= axis.values.size();
+    }
+    if (group.item_count > 0) in_.job.groups.push_back(std::move(group));
+}
+
+}  // namespace facet::batch
