@@ -1,15 +1,20 @@
 // facet batch: many pictures of a job file.
 // SPDX-License-Identifier: MIT
+#include "base/build_id.h"
 #include "base/text.h"
 #include "batch/job_file.h"
+#include "batch/run.h"
 #include "cli/flags.h"
+#include "cli/progress.h"
 #include "cli/setting_flags.h"
 #include "tables/settings_text.h"
 
 #include <nlohmann/json.hpp>
 #include <spdlog/fmt/fmt.h>
 
+#include <csignal>
 #include <memory>
+#include <optional>
 
 namespace facet::cli {
 namespace {
@@ -22,6 +27,14 @@ struct BatchOptions {
     std::string job;
     std::string shard;
     bool dry_run = false;
+    bool restart = false;
+    bool resume = false;
+    bool fail_fast = false;
+    bool keep_going = false;
+    std::optional<double> jobs;
+    std::optional<double> retries;
+    std::optional<double> item_timeout_s;
+    std::optional<double> wait_s;
     TypedSettings typed;
 };
 
@@ -95,13 +108,104 @@ Result<Exit> list_items(const batch::Job& job, const batch::Shard& shard, Io& io
     return Exit::done;
 }
 
+base::Status check_pairs(const BatchOptions& options) {
+    const auto excludes = [](const char* one, const char* other) {
+        return base::fail({.code = ErrorCode::usage,
+                           .file = one,
+                           .what = std::string("excludes ") + other,
+                           .remedy = "leave one of them out"});
+    };
+    if (options.restart && options.resume) return excludes("--restart", "--resume");
+    if (options.fail_fast && options.keep_going) return excludes("--fail-fast", "--keep-going");
+    return {};
+}
+
+batch::RunOptions run_options(const BatchOptions& options, const batch::Shard& shard,
+                              std::uint32_t threads, const Io& io) {
+    return {.shard = shard,
+            .jobs = static_cast<std::size_t>(options.jobs.value_or(0.0)),
+            .threads = threads,
+            .restart = options.restart,
+            .fail_fast = options.fail_fast,
+            .retries = static_cast<unsigned>(options.retries.value_or(1.0)),
+            .item_timeout_s = options.item_timeout_s.value_or(0.0),
+            .patience = std::chrono::milliseconds(
+                static_cast<long long>(options.wait_s.value_or(0.0) * 1000.0)),
+            .program = FACET_VERSION " " + base::build_id(),
+            .level = io.quiet ? base::LogLevel::off : io.level};
+}
+
+/// A failed item's line for people.
+void tell_failure(const Json& item, Io& io) {
+    const Json& error = item["error"];
+    std::string where = error.value("path", "");
+    if (const std::string pointer = error.value("pointer", ""); !pointer.empty())
+        where += (where.empty() ? "" : ":") + pointer;
+    io.note(fmt::format("facet: item {} ({}): {}{}", item["item"].get<std::size_t>(),
+                        base::escaped(item.value("output", "")),
+                        where.empty() ? "" : base::escaped(where) + ": ",
+                        base::escaped(error.value("message", ""), 600)));
+}
+
+std::string summary(const batch::Outcome& outcome) {
+    const std::size_t ended = outcome.done + outcome.failed;
+    std::string line = fmt::format("{} of {} done", outcome.done + outcome.skipped, outcome.total);
+    if (outcome.failed > 0) line += fmt::format(", {} failed", outcome.failed);
+    if (outcome.skipped > 0) line += fmt::format(", {} were there already", outcome.skipped);
+    line += fmt::format("  {:.1f} s", outcome.seconds);
+    if (ended > 0)
+        line += fmt::format("  {:.0f} a minute on {} workers",
+                            static_cast<double>(ended) * 60.0 / outcome.seconds, outcome.workers);
+    return line;
+}
+
+Exit exit_of(const batch::Outcome& outcome) {
+    if (outcome.signal == SIGINT) return Exit::interrupted;
+    if (outcome.signal != 0) return Exit::terminated;
+    return outcome.failed > 0 ? Exit::not_held : Exit::done;
+}
+
+Result<Exit> render_items(const BatchOptions& options, const batch::Job& job,
+                          const batch::Shard& shard, Io& io) {
+    const auto settings = options.typed.read();
+    if (!settings) return tl::unexpected(settings.error());
+    const auto outcome = [&] {
+        ProgressLine progress(io);
+        batch::RunOptions run = run_options(options, shard, settings->threads, io);
+        run.progress = progress.sink();
+        run.on_item = [&](const Json& item) {
+            progress.clear();
+            if (item["status"] == "failed") tell_failure(item, io);
+            if (io.json) io.print_object(item);
+        };
+        return batch::run(job, run);
+    }();
+    if (!outcome) return tl::unexpected(outcome.error());
+    io.warn(outcome->warnings);
+    if (outcome->signal != 0)
+        io.note(fmt::format("facet: interrupted after {} of {}; run again to resume",
+                            outcome->done + outcome->skipped, outcome->total));
+    if (io.json)
+        io.print_object(Json{{"facet", 1},
+                             {"items", outcome->total},
+                             {"done", outcome->done},
+                             {"skipped", outcome->skipped},
+                             {"failed", outcome->failed},
+                             {"workers", outcome->workers},
+                             {"seconds", outcome->seconds}});
+    else if (outcome->signal == 0)
+        io.print(summary(*outcome));
+    return exit_of(*outcome);
+}
+
 Result<Exit> run_batch(const BatchOptions& options, Io& io) {
+    if (auto pairs = check_pairs(options); !pairs) return tl::unexpected(pairs.error());
     const auto shard = shard_of(options.shard);
     if (!shard) return tl::unexpected(shard.error());
     const auto job = read(options, io);
     if (!job) return tl::unexpected(job.error());
     if (options.dry_run) return list_items(*job, *shard, io);
-    return Exit::done;
+    return render_items(options, *job, *shard, io);
 }
 
 }  // namespace
@@ -114,6 +218,22 @@ void add_batch(Declaration& command) {
                      "lists the items as facet render commands, and renders nothing"});
     flags.push_back({"--shard", &options->shard, "I/N", "Work",
                      "only part I (from 0) of N; the parts can run anywhere"});
+    flags.push_back({"--jobs", BoundedNumber{&options->jobs, {1, 1e6}}, "N", "Work",
+                     "worker processes (one per core)"});
+    flags.push_back({"--resume", &options->resume, "", "Work",
+                     "skips items that are done and still hold (as is)"});
+    flags.push_back({"--restart", &options->restart, "", "Work",
+                     "forgets what was done, and renders every item"});
+    flags.push_back({"--wait", BoundedNumber{&options->wait_s, {0, 1e7}}, "S", "Work",
+                     "seconds to wait for another run of the job to end (0)"});
+    flags.push_back({"--keep-going", &options->keep_going, "", "Faults",
+                     "a failed item stops no other (as is)"});
+    flags.push_back(
+        {"--fail-fast", &options->fail_fast, "", "Faults", "ends after the first failure"});
+    flags.push_back({"--retries", BoundedNumber{&options->retries, {0, 100}}, "N", "Faults",
+                     "of an item whose worker died or that may do better later (1)"});
+    flags.push_back({"--item-timeout", BoundedNumber{&options->item_timeout_s, {0.001, 1e7}}, "S",
+                     "Faults", "seconds that an item may take"});
     options->typed.declare(flags, [](const tables::Setting& row) {
         return row.group == "Machine" && row.key != "base";
     });

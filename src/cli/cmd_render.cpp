@@ -9,6 +9,7 @@
 #include "image/write.h"
 #include "render/render.h"
 #include "scene/load.h"
+#include "tables/message_json.h"
 
 #include <fcntl.h>
 #include <nlohmann/json.hpp>
@@ -83,7 +84,7 @@ base::Status check(const RenderOptions& options, const tables::Settings& setting
 
 nlohmann::ordered_json result_object(const std::string& output, const render::Rendered& r) {
     nlohmann::ordered_json warnings = nlohmann::ordered_json::array();
-    for (const base::Warning& warning : r.warnings) warnings.push_back(warning_object(warning));
+    for (const base::Warning& warning : r.warnings) warnings.push_back(tables::message_object(warning));
     nlohmann::ordered_json object = {{"facet", 1},
                                      {"output", output},
                                      {"width", r.size.width},

@@ -3,6 +3,7 @@
 #include "cli/io.h"
 
 #include "base/text.h"
+#include "tables/message_json.h"
 
 #include <nlohmann/json.hpp>
 #include <unistd.h>
@@ -11,14 +12,6 @@ namespace facet::cli {
 namespace {
 
 constexpr std::size_t most_messages = 20;
-
-/// `what (found); remedy`: the line without the places, which an object holds apart.
-std::string message_of(std::string_view what, std::string_view found, std::string_view remedy) {
-    std::string text(what);
-    if (!found.empty()) text.append(" (").append(found).append(")");
-    if (!remedy.empty()) text.append("; ").append(remedy);
-    return text;
-}
 
 }  // namespace
 
@@ -47,10 +40,7 @@ void Io::note(std::string_view line) {
 void Io::complain(const base::Error& error) {
     const std::string line = base::to_line(error);
     note((color ? "\033[1;31mfacet:\033[0m " : "facet: ") + line);
-    if (json)
-        print_object(message_object("error", tables::exit_name(base::exit_code(error.code)),
-                                    error.file, error.where,
-                                    message_of(error.what, error.found, error.remedy)));
+    if (json) print_object(tables::message_object(error));
 }
 
 void Io::warn(std::span<const base::Warning> warnings, bool as_objects) {
@@ -64,7 +54,7 @@ void Io::warn(std::span<const base::Warning> warnings, bool as_objects) {
             note("... and " + std::to_string(warnings.size() - most_messages) + " more");
     }
     if (json && as_objects)
-        for (const base::Warning& warning : warnings) print_object(warning_object(warning));
+        for (const base::Warning& warning : warnings) print_object(tables::message_object(warning));
 }
 
 bool Io::finish() {
@@ -74,20 +64,5 @@ bool Io::finish() {
 }
 
 bool Io::out_is_terminal() const { return ::isatty(::fileno(out_)) == 1; }
-
-nlohmann::ordered_json message_object(std::string_view severity, std::string_view code,
-                                      std::string_view path, std::string_view pointer,
-                                      std::string_view message) {
-    return {{"severity", severity},
-            {"code", code},
-            {"path", path},
-            {"pointer", pointer},
-            {"message", message}};
-}
-
-nlohmann::ordered_json warning_object(const base::Warning& w) {
-    return message_object("warning", "warning", w.file, w.where,
-                          message_of(w.what, w.found, w.remedy));
-}
 
 }  // namespace facet::cli

@@ -57,12 +57,4 @@ private:
 /// What a command does once its flags are read.
 using Job = std::function<base::Result<Exit>(Io&)>;
 
-/// The object of one message: severity, code, path, pointer, message.
-[[nodiscard]] nlohmann::ordered_json message_object(std::string_view severity,
-                                                    std::string_view code, std::string_view path,
-                                                    std::string_view pointer,
-                                                    std::string_view message);
-/// A warning as an object, its parts joined into the message.
-[[nodiscard]] nlohmann::ordered_json warning_object(const base::Warning& warning);
-
 }  // namespace facet::cli

@@ -47,8 +47,9 @@ ProgressLine::ProgressLine(Io& io)
       start_(std::chrono::steady_clock::now()),
       last_(start_) {}
 
-ProgressLine::~ProgressLine() {
+void ProgressLine::clear() {
     if (drawn_) std::fputs("\r\033[K", stderr);
+    drawn_ = false;
 }
 
 void ProgressLine::update(double done, std::string_view what) {

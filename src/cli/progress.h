@@ -16,12 +16,13 @@ namespace facet::cli {
 class ProgressLine {
 public:
     explicit ProgressLine(Io& io);
-    /// Removes the bar.
-    ~ProgressLine();
+    ~ProgressLine() { clear(); }
     ProgressLine(const ProgressLine&) = delete;
     ProgressLine& operator=(const ProgressLine&) = delete;
 
     void update(double done, std::string_view what);
+    /// Removes the bar, so that a line can be written; the next update draws it again.
+    void clear();
     [[nodiscard]] base::Progress sink() {
         return [this](double done, std::string_view what) { update(done, what); };
     }

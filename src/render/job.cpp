@@ -15,12 +15,17 @@ namespace facet::render {
 namespace {
 
 base::Result<scene::Loaded> load_scene(const Request& request, const Plan& plan,
-                                       base::ThreadPool& pool) {
+                                       base::ThreadPool& pool, Assets* assets) {
     const tables::Settings& settings = request.settings;
     scene::LoadOptions options{.ignored_required = settings.ignore_required,
                                .strict = settings.strict};
     options.allowed_folders.assign(settings.allow_read.begin(), settings.allow_read.end());
     if (!settings.base.empty()) options.base_folder = settings.base;
+    if (assets != nullptr) {
+        const auto shared = assets->scene(request.scene, options, plan.limits, pool);
+        if (!shared) return tl::unexpected(shared.error());
+        return **shared;
+    }
     if (request.scene != "-") return scene::load(request.scene, options, plan.limits, pool);
     const auto bytes = base::read_stdin(plan.limits.file_bytes);
     if (!bytes) return tl::unexpected(bytes.error());
@@ -75,7 +80,15 @@ base::Status apply_edits(const tables::Settings& settings, const Plan& plan, Job
 }
 
 base::Status load_environment(const tables::Settings& settings, const Plan& plan,
-                              base::ThreadPool& pool, Job& job) {
+                              base::ThreadPool& pool, Assets* assets, Job& job) {
+    if (assets != nullptr) {
+        const auto shared = assets->environment(settings.env, plan.limits, pool);
+        if (!shared) return tl::unexpected(base::in_file(shared.error(), "--env"));
+        job.environment = (*shared)->environment;
+        const base::Warnings& warnings = (*shared)->warnings;
+        job.warnings.insert(job.warnings.end(), warnings.begin(), warnings.end());
+        return {};
+    }
     auto environment = scene::load_environment(settings.env, plan.limits, pool, job.warnings);
     if (!environment) return tl::unexpected(base::in_file(environment.error(), "--env"));
     job.environment = std::move(*environment);
@@ -89,9 +102,10 @@ base::Status aim_camera(const tables::Settings& settings, Job& job) {
     return {};
 }
 
-base::Result<Job> load_job(const Request& request, const Plan& plan, base::ThreadPool& pool) {
+base::Result<Job> load_job(const Request& request, const Plan& plan, base::ThreadPool& pool,
+                           Assets* assets) {
     const tables::Settings& settings = request.settings;
-    auto loaded = load_scene(request, plan, pool);
+    auto loaded = load_scene(request, plan, pool, assets);
     if (!loaded) return tl::unexpected(loaded.error());
     Job job{.scene = std::move(loaded->scene),
             .env_rotation_deg = settings.env_rotation,
@@ -99,7 +113,8 @@ base::Result<Job> load_job(const Request& request, const Plan& plan, base::Threa
             .reads = std::move(loaded->reads)};
     job.originals = {job.scene.materials, job.scene.lights};
     if (auto s = apply_edits(settings, plan, job); !s) return tl::unexpected(s.error());
-    if (auto s = load_environment(settings, plan, pool, job); !s) return tl::unexpected(s.error());
+    if (auto s = load_environment(settings, plan, pool, assets, job); !s)
+        return tl::unexpected(s.error());
     if (auto s = aim_camera(settings, job); !s) return tl::unexpected(s.error());
     return job;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/thread_pool.h"
+#include "render/assets.h"
 #include "render/plan.h"
 #include "render/render.h"
 #include "scene/environment.h"
@@ -33,17 +34,18 @@ struct Job {
     std::vector<std::filesystem::path> reads;
 };
 
-/// Loads, applies --no-file-lights, --light and --set, and resolves the camera.
+/// Loads, applies --no-file-lights, --light and --set, and resolves the camera. `assets`: where
+/// files are looked for that are read already; may be null.
 [[nodiscard]] base::Result<Job> load_job(const Request& request, const Plan& plan,
-                                         base::ThreadPool& pool);
+                                         base::ThreadPool& pool, Assets* assets = nullptr);
 
 /// Makes the job's materials and lights anew: those loaded, with what the settings change. On an
 /// error the job is as it was.
 [[nodiscard]] base::Status apply_edits(const tables::Settings& settings, const Plan& plan,
                                        Job& job);
-/// Loads the environment that the settings name.
+/// Loads the environment that the settings name; `assets` as above.
 [[nodiscard]] base::Status load_environment(const tables::Settings& settings, const Plan& plan,
-                                            base::ThreadPool& pool, Job& job);
+                                            base::ThreadPool& pool, Assets* assets, Job& job);
 /// Resolves the camera that the settings name.
 [[nodiscard]] base::Status aim_camera(const tables::Settings& settings, Job& job);
 /// The light that AOVs of the BRDF's terms are for; not looked for where none of them is wanted.

@@ -8,6 +8,7 @@
 #include "frame/output/exposure.h"
 #include "render/stopwatch.h"
 
+#include <algorithm>
 #include <future>
 
 namespace facet::render {
@@ -34,15 +35,9 @@ base::Result<Opened> open(const Request& request, const Plan& plan, base::Thread
 base::Result<Session> Session::create(const gl::Context& gl, Job job,
                                       const tables::Settings& settings, const Plan& plan,
                                       base::ThreadPool& pool, base::Warnings& warnings) {
-    Session session(gl, std::move(job), pool);
-    session.settings_ = settings;
-    session.plan_ = plan;
-    auto scene = frame::upload_scene(gl, session.job_.scene, session.filtering(), pool);
-    if (!scene) return tl::unexpected(scene.error());
-    session.scene_ = std::move(*scene);
-    if (auto s = session.upload_environment(warnings); !s) return tl::unexpected(s.error());
-    session.set_lights(session.job_.scene.lights);
-    if (auto s = session.make_frame(); !s) return tl::unexpected(s.error());
+    Session session(gl, pool);
+    if (auto s = session.enter(std::move(job), settings, plan, warnings); !s)
+        return tl::unexpected(s.error());
     return session;
 }
 
@@ -58,12 +53,32 @@ frame::FrameSpec Session::frame_spec() const {
 }
 
 base::Status Session::upload_environment(base::Warnings& warnings) {
+    const auto is_wanted = [&](const Baked& baked) {
+        return baked.latlong == job_.environment.latlong && baked.brdf == plan_.brdf &&
+               baked.rotation_deg == settings_.env_rotation &&
+               baked.intensity == settings_.env_intensity;
+    };
+    const auto known = std::ranges::find_if(baked_, is_wanted);
+    if (known != baked_.end()) {
+        std::rotate(baked_.begin(), known, known + 1);
+        const base::Warnings& old = baked_.front().warnings;
+        warnings.insert(warnings.end(), old.begin(), old.end());
+        return {};
+    }
     const brdf::AlbedoTable table = brdf::albedo_table(plan_.brdf);
+    base::Warnings own;
     auto maps = frame::upload_environment(*gl_, job_.environment,
                                           {settings_.env_rotation, settings_.env_intensity},
-                                          table.texels, table.size, *pool_, warnings);
+                                          table.texels, table.size, *pool_, own);
     if (!maps) return tl::unexpected(maps.error());
-    environment_ = std::move(*maps);
+    warnings.insert(warnings.end(), own.begin(), own.end());
+    baked_.insert(baked_.begin(), {.latlong = job_.environment.latlong,
+                                   .brdf = plan_.brdf,
+                                   .rotation_deg = settings_.env_rotation,
+                                   .intensity = settings_.env_intensity,
+                                   .maps = std::move(*maps),
+                                   .warnings = std::move(own)});
+    if (baked_.size() > most_baked) baked_.pop_back();
     return {};
 }
 

@@ -30,6 +30,12 @@ public:
                                                       const tables::Settings& settings,
                                                       const Plan& plan, base::ThreadPool& pool,
                                                       base::Warnings& warnings);
+    /// Draws another scene from now on, and keeps what it shares with the one before: programs,
+    /// targets, environments. After an error only enter() is left to call.
+    [[nodiscard]] base::Status enter(Job job, const tables::Settings& settings, const Plan& plan,
+                                     base::Warnings& warnings);
+    /// Where update() looks for environments that are read already; outlives the session.
+    void use(Assets& assets) { assets_ = &assets; }
     /// Draws what other settings say from now on, doing again only what they change; `plan` is made
     /// from them. The scene's file stays. On an error the session draws what it drew before, but
     /// for a lack of memory.
@@ -75,8 +81,7 @@ public:
     void finish() const { gl_->finish(); }
 
 private:
-    Session(const gl::Context& gl, Job job, base::ThreadPool& pool)
-        : gl_(&gl), pool_(&pool), job_(std::move(job)) {}
+    Session(const gl::Context& gl, base::ThreadPool& pool) : gl_(&gl), pool_(&pool) {}
     [[nodiscard]] frame::DisplaySettings display_settings(double exposure,
                                                           std::uint32_t count) const;
     [[nodiscard]] frame::FrameSpec frame_spec() const;
@@ -90,14 +95,26 @@ private:
                                       base::Warnings& warnings);
     [[nodiscard]] base::Status change_scene(const tables::Settings& settings, const Plan& plan);
 
+    /// An environment on the GL, and what it was made from.
+    struct Baked {
+        std::shared_ptr<const image::Image> latlong;
+        tables::BrdfChoice brdf;
+        float rotation_deg = 0.0F;
+        float intensity = 1.0F;
+        frame::EnvironmentMaps maps;
+        base::Warnings warnings;
+    };
+    static constexpr std::size_t most_baked = 8;  // 4 MB each
+
     const gl::Context* gl_;
     base::ThreadPool* pool_;
+    Assets* assets_ = nullptr;
     Job job_;
     tables::Settings settings_;
     Plan plan_;
     std::unique_ptr<gl::ShaderSources> sources_;  // passes keep its address
     frame::GpuScene scene_;
-    frame::EnvironmentMaps environment_;
+    std::vector<Baked> baked_;  ///< the one in use first, then by last use
     std::unique_ptr<frame::PackedLights> lights_;
     std::optional<frame::Frame> frame_;
     std::optional<frame::Frame> probe_;          ///< made at first need
@@ -107,7 +124,7 @@ private:
     [[nodiscard]] scene::KeyLight key_light_for(const std::vector<tables::Aov>& aovs);
     /// `key` outlives the result.
     [[nodiscard]] frame::FrameInputs inputs(const scene::KeyLight& key) const {
-        return {scene_, environment_, *lights_, job_.camera, plan_.background, key};
+        return {scene_, baked_.front().maps, *lights_, job_.camera, plan_.background, key};
     }
 };
 

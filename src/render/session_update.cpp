@@ -45,11 +45,29 @@ base::Status Session::change(const Settings& settings, const Plan& plan, base::W
     if (camera_differs(settings, before))
         if (auto s = aim_camera(settings, job_); !s) return s;
     if (new_environment)
-        if (auto s = load_environment(settings, plan, *pool_, job_); !s) return s;
+        if (auto s = load_environment(settings, plan, *pool_, assets_, job_); !s) return s;
     if (new_environment || new_brdf || settings.env_rotation != before.env_rotation ||
         settings.env_intensity != before.env_intensity)
         if (auto s = upload_environment(warnings); !s) return s;
     if (new_brdf) return make_frame();
+    if (targets_differ(frame_spec(), frame_->spec())) return frame_->resize(*gl_, frame_spec());
+    return {};
+}
+
+base::Status Session::enter(Job job, const Settings& settings, const Plan& plan,
+                            base::Warnings& warnings) {
+    const bool has_frame = frame_.has_value() && plan.brdf == plan_.brdf;
+    job_ = std::move(job);
+    settings_ = settings;
+    plan_ = plan;
+    explainer_.reset();
+    scene_ = {};  // before the next one needs the memory
+    auto scene = frame::upload_scene(*gl_, job_.scene, filtering(), *pool_);
+    if (!scene) return tl::unexpected(scene.error());
+    scene_ = std::move(*scene);
+    if (auto s = upload_environment(warnings); !s) return s;
+    set_lights(job_.scene.lights);
+    if (!has_frame) return make_frame();
     if (targets_differ(frame_spec(), frame_->spec())) return frame_->resize(*gl_, frame_spec());
     return {};
 }

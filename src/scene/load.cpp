@@ -98,6 +98,15 @@ base::Result<Loaded> load_bytes(std::span<const std::byte> bytes, const std::str
                               pool);
 }
 
+base::Result<std::string> content_hash(const std::string& name, const LoadOptions& options,
+                                       const base::Limits& limits) {
+    const auto path = path_of(name);
+    if (!path) return tl::unexpected(path.error());
+    auto file = base::read_file(*path, limits.file_bytes);
+    if (!file) return base::fail(base::in_file(file.error(), name));
+    return gltf::content_hash(std::move(*file), origin_of(name, folder_of(*path), options), limits);
+}
+
 base::Result<std::vector<Finding>> check(const std::string& name, const LoadOptions& options,
                                          const base::Limits& limits) {
     const auto path = path_of(name);

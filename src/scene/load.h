@@ -43,6 +43,12 @@ struct Loaded {
                                               const std::string& label, const LoadOptions& options,
                                               const base::Limits& limits, base::ThreadPool& pool);
 
+/// SHA-256 of all files that a scene consists of; cheap beside loading it. Errors: its own file
+/// cannot be read.
+[[nodiscard]] base::Result<std::string> content_hash(const std::string& name,
+                                                     const LoadOptions& options,
+                                                     const base::Limits& limits);
+
 /// The file of a scene's name. Errors: usage (no such built-in scene).
 [[nodiscard]] base::Result<std::filesystem::path> path_of(const std::string& name);
 /// What files made of a scene are called, without an ending: of "-" it is "stdin".

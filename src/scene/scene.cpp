@@ -28,6 +28,23 @@ math::Bounds Scene::bounds_m() const {
     return bounds;
 }
 
+std::size_t Scene::memory_bytes() const {
+    std::size_t bytes = 0;
+    const auto add = [&](const auto& values) { bytes += values.size() * sizeof(values.front()); };
+    for (const Mesh& mesh : meshes) {
+        add(mesh.positions_m);
+        add(mesh.normals);
+        add(mesh.tangents);
+        add(mesh.uv0);
+        add(mesh.uv1);
+        add(mesh.colors);
+        add(mesh.indices);
+    }
+    for (const SceneImage& image : images)
+        if (image.pixels != nullptr) bytes += image.pixels->bytes.size();
+    return bytes;
+}
+
 LightAxes axes_of(const Light& light) {
     const Vec3 z = light.direction;
     const Vec3 up = std::fabs(z.y) < 0.999F ? Vec3(0.0F, 1.0F, 0.0F) : Vec3(0.0F, 0.0F, -1.0F);

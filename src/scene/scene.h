@@ -149,6 +149,7 @@ struct Scene {
     }
     [[nodiscard]] std::uint64_t triangle_count() const;  ///< instances counted each
     [[nodiscard]] math::Bounds bounds_m() const;         ///< world space
+    [[nodiscard]] std::size_t memory_bytes() const;      ///< of vertices, indices and pixels
 };
 
 }  // namespace facet::scene

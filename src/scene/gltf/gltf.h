@@ -22,4 +22,8 @@ namespace facet::scene::gltf {
 [[nodiscard]] std::vector<Finding> check_bytes(base::Bytes file, Origin origin,
                                                const base::Limits& limits);
 
+/// SHA-256 of the file and of those that its buffers and images name; what cannot be read counts
+/// as that. Nothing is decoded.
+[[nodiscard]] std::string content_hash(base::Bytes file, Origin origin, const base::Limits& limits);
+
 }  // namespace facet::scene::gltf

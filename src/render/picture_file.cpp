@@ -1,16 +1,17 @@
 // A picture into its file, and the AOVs into or beside it.
 // SPDX-License-Identifier: MIT
-#include "image/write.h"
+#include "render/picture_file.h"
 
 #include "base/file.h"
+#include "base/hash.h"
 #include "base/text.h"
-#include "render/render.h"
+#include "image/npy.h"
+#include "render/stopwatch.h"
 #include "render/viewable.h"
 
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
-#include <chrono>
 
 namespace facet::render {
 namespace {
@@ -51,18 +52,34 @@ base::Result<image::Depth> depth_for(const tables::ImageFormatRow& row, const st
     return name == "half" ? image::Depth::half : image::Depth::f32;
 }
 
-base::Status write_side_files(const fs::path& output, const Rendered& rendered) {
+bool has_side_files(const tables::ImageFormatRow& row, const tables::Settings& settings) {
+    return !row.layers || !settings.aov_format.empty();
+}
+
+base::Result<base::Bytes> encode_side(tables::Aov aov, const image::Layer& layer, double exposure,
+                                      bool npy) {
+    if (!npy)
+        return image::encode(viewable(aov, layer, exposure),
+                             {.format = ImageFormat::png, .fast = true});
+    const bool is_id = tables::row(aov).png == tables::PngCode::id_color;
+    return image::encode_npy(layer.image, is_id ? image::NpyType::u32 : image::NpyType::f32);
+}
+
+base::Result<std::vector<fs::path>> write_side_files(const fs::path& output, bool npy,
+                                                     const Rendered& rendered) {
+    std::vector<fs::path> sides;
     for (const image::Layer& layer : rendered.layers) {
         const auto aov = tables::aov_named(layer.name);
         if (!aov) continue;
         fs::path side = output;
-        side.replace_extension("." + layer.name + ".png");
-        const auto bytes = image::encode(viewable(*aov, layer, rendered.exposure),
-                                         {.format = ImageFormat::png, .fast = true});
+        side.replace_extension("." + layer.name + (npy ? ".npy" : ".png"));
+        const auto bytes = encode_side(*aov, layer, rendered.exposure, npy);
         if (!bytes) return tl::unexpected(bytes.error());
-        if (auto written = base::write_file_atomically(side, *bytes); !written) return written;
+        if (auto written = base::write_file_atomically(side, *bytes); !written)
+            return tl::unexpected(written.error());
+        sides.push_back(std::move(side));
     }
-    return {};
+    return sides;
 }
 
 /// What can be known only after loading: --strict, and an output that is one of the files read
@@ -98,49 +115,65 @@ base::Result<base::Bytes> encode(const Rendered& rendered, const image::WriteOpt
 
 }  // namespace
 
-base::Result<Rendered> render_to_file(const Request& request, const fs::path& output,
-                                      base::Log& log, const base::Progress& progress) {
+base::Result<PictureFile> plan_file(const tables::Settings& settings, const fs::path& output) {
     const auto format = format_by_ending(output);
     if (!format) return tl::unexpected(format.error());
     const tables::ImageFormatRow& row = tables::row(*format);
-    const auto depth = depth_for(row, request.settings.depth);
+    const auto depth = depth_for(row, settings.depth);
     if (!depth) return tl::unexpected(depth.error());
-    if (auto writable = base::check_writable(output); !writable)
-        return tl::unexpected(writable.error());
-    if (request.settings.compare && row.scene_linear && !row.layers)
+    if (settings.compare && row.scene_linear && !row.layers)
         return base::fail({.code = base::ErrorCode::usage,
                            .file = "--compare",
                            .what = fmt::format("{} holds one picture", row.key),
                            .found = output.string(),
                            .remedy = "an .exr holds all three, a .png lays them side by side"});
-    Request wanted = request;
-    wanted.want_linear = row.scene_linear;
-    auto rendered = render(wanted, log, progress);
-    if (!rendered) return rendered;
-    if (auto allowed = check_result(request, output, *rendered); !allowed)
+    return PictureFile{output, *format, *depth};
+}
+
+base::Result<Written> write_picture(const PictureFile& file, const Request& request,
+                                    Rendered& rendered) {
+    if (auto allowed = check_result(request, file.path, rendered); !allowed)
         return tl::unexpected(allowed.error());
-    const auto start = std::chrono::steady_clock::now();
+    Stopwatch watch;
     image::WriteOptions options{
-        .format = *format,
-        .depth = *depth,
+        .format = file.format,
+        .depth = file.depth,
         .metadata = {{"Software", "Facet"},
-                     {"facet.exposure", fmt::format("{}", rendered->exposure)}},
+                     {"facet.exposure", fmt::format("{}", rendered.exposure)}},
         .fast = request.settings.quality == "draft"};
-    if (rendered->reference) {
+    if (rendered.reference) {
         options.metadata.emplace_back("facet.reference", request.settings.reference);
         options.metadata.emplace_back("facet.samples",
-                                      fmt::format("{}", rendered->reference->samples));
+                                      fmt::format("{}", rendered.reference->samples));
         options.metadata.emplace_back("facet.seed", fmt::format("{}", request.settings.seed));
     }
-    const auto bytes = encode(*rendered, options);
-    if (!bytes) return tl::unexpected(base::in_file(bytes.error(), output.string()));
-    if (!row.layers)
-        if (auto sides = write_side_files(output, *rendered); !sides)
-            return tl::unexpected(sides.error());
-    if (auto written = base::write_file_atomically(output, *bytes); !written)
+    const auto bytes = encode(rendered, options);
+    if (!bytes) return tl::unexpected(base::in_file(bytes.error(), file.path.string()));
+    Written written{.sha256 = base::sha256_hex(*bytes), .sides = {}};
+    if (has_side_files(tables::row(file.format), request.settings)) {
+        const bool npy = request.settings.aov_format == "npy";
+        auto sides = write_side_files(file.path, npy, rendered);
+        if (!sides) return tl::unexpected(sides.error());
+        written.sides = std::move(*sides);
+    }
+    if (auto s = base::write_file_atomically(file.path, *bytes); !s)
+        return tl::unexpected(s.error());
+    rendered.ms.write = watch.lap_ms();
+    return written;
+}
+
+base::Result<Rendered> render_to_file(const Request& request, const fs::path& output,
+                                      base::Log& log, const base::Progress& progress) {
+    const auto file = plan_file(request.settings, output);
+    if (!file) return tl::unexpected(file.error());
+    if (auto writable = base::check_writable(output); !writable)
+        return tl::unexpected(writable.error());
+    Request wanted = request;
+    wanted.want_linear = file->holds_radiance();
+    auto rendered = render(wanted, log, progress);
+    if (!rendered) return rendered;
+    if (const auto written = write_picture(*file, request, *rendered); !written)
         return tl::unexpected(written.error());
-    rendered->ms.write =
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     return rendered;
 }
 
