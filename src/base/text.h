@@ -18,6 +18,9 @@ namespace facet::base {
 /// Text safe between tags and in attributes of HTML and SVG.
 [[nodiscard]] std::string markup_escaped(std::string_view text);
 
+/// RFC 4648, with padding.
+[[nodiscard]] std::string base64(std::string_view bytes);
+
 /// Levenshtein distance, in bytes.
 [[nodiscard]] std::size_t edit_distance(std::string_view a, std::string_view b);
 

@@ -6,6 +6,7 @@
 #include "scene/camera_spec.h"
 #include "scene/load.h"
 #include "tables/settings_json.h"
+#include "tables/settings_text.h"
 
 #include <spdlog/fmt/fmt.h>
 
@@ -106,6 +107,29 @@ base::Result<Item> Job::item(std::size_t index) const {
     if (!camera) return tl::unexpected(base::in_file(camera.error(), "--camera"));
     item.settings.camera = std::move(*camera);
     return item;
+}
+
+std::vector<std::string> Job::films(std::span<const std::size_t> items) const {
+    std::vector<std::string> commands;
+    for (const std::size_t index : items) {
+        const Place place = place_of(index);
+        const Group& group = *place.group;
+        if (!group.turntable || place.at.back() != 0) continue;
+        const bool by_frame = group.output.uses("frame");
+        const auto labels = [&](std::string_view key) { return label_of(place, key); };
+        const fs::path frames =
+            folder / group.output.sequence(labels, by_frame ? "frame" : "index");
+        fs::path film = output_of(place);
+        film.replace_extension(".mp4");
+        commands.push_back("ffmpeg" +
+                           tables::command_line({"-framerate", "24", "-start_number",
+                                                 fmt::format("{}", by_frame ? 0 : index), "-i",
+                                                 frames.lexically_normal().string(), "-frames:v",
+                                                 fmt::format("{}", group.turntable->frame_count),
+                                                 "-pix_fmt", "yuv420p", film.string()})
+                               .substr(std::string_view("facet").size()));
+    }
+    return commands;
 }
 
 std::vector<std::size_t> Job::by_scene() const {

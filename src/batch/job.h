@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -94,6 +95,8 @@ public:
     /// Its output alone, cheaper.
     [[nodiscard]] std::filesystem::path output_of(std::size_t index) const;
     [[nodiscard]] const std::string& scene_of(std::size_t index) const;
+    /// The ffmpeg commands that make films of the sequences that `items` begin.
+    [[nodiscard]] std::vector<std::string> films(std::span<const std::size_t> items) const;
 
     /// Indices of all items so that those of one scene lie together, and the frames of a sequence
     /// in a row.

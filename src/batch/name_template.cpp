@@ -66,6 +66,25 @@ std::string NameTemplate::expand(const Labels& labels) const {
     return out;
 }
 
+std::string NameTemplate::sequence(const Labels& labels, std::string_view counter) const {
+    std::string out;
+    for (const Piece& piece : pieces_) {
+        if (piece.is_key && piece.text == counter) {
+            out += piece.width > 0 ? "%0" + std::to_string(piece.width) + "d" : "%d";
+            continue;
+        }
+        NameTemplate one;
+        one.pieces_ = {piece};
+        for (const char c : one.expand(labels)) out += c == '%' ? "%%" : std::string(1, c);
+    }
+    return out;
+}
+
+bool NameTemplate::uses(std::string_view key) const {
+    return std::ranges::any_of(
+        pieces_, [&](const Piece& piece) { return piece.is_key && piece.text == key; });
+}
+
 std::string safe_name(std::string_view text) {
     std::string out;
     for (const char c : text.substr(0, longest_name)) {

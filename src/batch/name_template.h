@@ -25,6 +25,9 @@ public:
                                                           std::span<const std::string> known);
     /// Labels made safe as parts of file names; numbers padded where a width is given.
     [[nodiscard]] std::string expand(const Labels& labels) const;
+    /// The same with `%d`, or `%05d`, where `counter` stands: what ffmpeg calls a sequence.
+    [[nodiscard]] std::string sequence(const Labels& labels, std::string_view counter) const;
+    [[nodiscard]] bool uses(std::string_view key) const;
 
 private:
     struct Piece {

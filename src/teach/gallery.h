@@ -33,6 +33,4 @@ private:
 /// The command that renders the picture; with an AOV it is in a side file of STEM.png.
 [[nodiscard]] std::string command_of(const Picture& picture);
 
-[[nodiscard]] std::string base64(std::string_view bytes);
-
 }  // namespace facet::teach

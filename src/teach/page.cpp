@@ -117,7 +117,7 @@ base::Result<std::string> PageMaker::strip(const Strip& strip, const Figure& fig
 
 std::string PageMaker::plot(const Plot& plot, const Figure& figure) {
     const std::string uri =
-        "data:image/svg+xml;base64," + base64(svg_of(plot, texts_->language(), answers_));
+        "data:image/svg+xml;base64," + base::base64(svg_of(plot, texts_->language(), answers_));
     const std::string& title = plot.title.in(texts_->language());
     return fmt::format("<figure class=\"plot\">{}{}</figure>\n",
                        image(uri, {760, 600}, figure.caption.empty() ? title : figure.caption),
