@@ -45,7 +45,9 @@
       frame.append(made('p', '', item.problem));
     }
     const text = made('span', 'text');
-    text.append(made('span', 'name', item.name));
+    const slash = item.name.lastIndexOf('/') + 1;
+    if (slash > 0) text.append(made('span', 'more', item.name.slice(0, slash)));
+    text.append(made('span', 'name', item.name.slice(slash)));
     if (item.settings) text.append(made('span', 'more', item.settings));
     const more = made('span', 'more');
     more.append(made('span', 'badge ' + item.status, words[item.status]));
@@ -79,8 +81,8 @@
     const out = [];
     if (item.problem) out.push(['problem', item.problem]);
     if (item.flip !== null) out.push(['FLIP', `${item.flip.toFixed(6)} (bound ${data.max_flip})`]);
-    for (const [key, value] of Object.entries(result.varied || {})) out.push([key, value]);
-    if (result.scene) out.push(['scene file', result.scene]);
+    for (const [key, value] of Object.entries(result.varied || {})) if (key !== 'scene') out.push([key, value]);
+    if (result.scene) out.push(['scene', result.scene]);
     if (result.ms) out.push(['time', Object.entries(result.ms).map(([key, ms]) => `${key} ${milliseconds(ms)}`).join(', ')]);
     if (result.exposure) out.push(['exposure', String(result.exposure)]);
     if (result.attempts > 1) out.push(['attempts', String(result.attempts)]);

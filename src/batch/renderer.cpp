@@ -103,6 +103,7 @@ base::Result<double> Renderer::exposure_of(std::size_t first) {
     render::Rendered measured;
     const render::Request request{.scene = item->scene, .settings = item->settings};
     if (auto s = show(request, *plan, measured); !s) return tl::unexpected(s.error());
+    session_->begin_picture();
     for (std::uint32_t i = 0; i < plan->sample_count; ++i)
         if (auto drawn = session_->draw(i, plan->sample_count); !drawn)
             return tl::unexpected(drawn.error());

@@ -8,6 +8,7 @@
 #include "batch/job_file.h"
 #include "batch/report.h"
 #include "batch/run.h"
+#include "batch/schema.h"
 #include "cli/flags.h"
 #include "cli/progress.h"
 #include "cli/setting_flags.h"
@@ -43,6 +44,7 @@ struct BatchOptions {
     std::string baseline;
     std::optional<double> max_flip;
     bool merge = false;
+    bool schema = false;
     TypedSettings typed;
 };
 
@@ -313,6 +315,10 @@ Result<Exit> render_items(const BatchOptions& options, const batch::Job& job,
 }
 
 Result<Exit> run_batch(const BatchOptions& options, Io& io) {
+    if (options.schema) {
+        io.print(batch::job_schema().dump(1));
+        return Exit::done;
+    }
     if (auto pairs = check_pairs(options); !pairs) return tl::unexpected(pairs.error());
     const auto shard = shard_of(options.shard);
     if (!shard) return tl::unexpected(shard.error());
@@ -332,6 +338,8 @@ void add_batch(Declaration& command) {
     flags.push_back({"JOB", &options->job, "", "", "the job file; facet help batch"});
     flags.push_back({"--dry-run", &options->dry_run, "", "Work",
                      "lists the items as facet render commands, and renders nothing"});
+    flags.push_back({"--schema", &options->schema, "", "Work",
+                     "prints the JSON Schema of job files, for editors"});
     flags.push_back({"--shard", &options->shard, "I/N", "Work",
                      "only part I (from 0) of N; the parts can run anywhere"});
     flags.push_back({"--merge", &options->merge, "", "Work",

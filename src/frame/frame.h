@@ -59,6 +59,8 @@ public:
     /// twice. Programs are kept, and targets that stay. Errors: internal.
     [[nodiscard]] base::Status set_aovs(const gl::Context& gl, std::vector<tables::Aov> aovs);
 
+    /// Forgets what was drawn before, so that a picture's bytes cannot depend on it.
+    void begin_picture(const gl::Context& gl) const { clear(gl, gbuffer_); }
     /// Draws sample `index` of `count` and adds it, unless it is the only one. Sample 0 begins all
     /// sums anew.
     [[nodiscard]] base::Status draw(const gl::Context& gl, const FrameInputs& in,

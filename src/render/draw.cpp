@@ -111,6 +111,7 @@ base::Status draw_raster(Session& session, const Request& request, const Plan& p
 base::Status draw(Session& session, const Request& request, const Plan& plan,
                   const DrawTools& tools, Rendered& out) {
     if (plan.exposure) out.exposure = *plan.exposure;
+    session.begin_picture();
     auto drawn = plan.reference ? draw_reference(session, request, plan, tools, out)
                                 : draw_raster(session, request, plan, out);
     if (drawn && !request.settings.keep_nan) clean(out.layers, out.warnings);

@@ -44,6 +44,8 @@ public:
     /// Compiles every shader from its file again. On an error those of before go on.
     [[nodiscard]] base::Status reload_shaders();
 
+    /// Before the first sample of a picture whose bytes must not depend on what was drawn before.
+    void begin_picture() { frame_->begin_picture(*gl_); }
     [[nodiscard]] base::Status draw(std::uint32_t index, std::uint32_t count,
                                     frame::PassTimes* times = nullptr);
     [[nodiscard]] base::Status draw_centered_aovs();

@@ -25,19 +25,6 @@ tl::unexpected<base::Error> refuse(const Setting& row, std::string what, std::st
                  .remedy = std::move(remedy)});
 }
 
-/// "8|16|half|float" as a list; nothing where a part stands for something (NAME, X,Y,WxH).
-std::vector<std::string> choices(std::string_view value) {
-    std::vector<std::string> out;
-    for (const std::string_view part : base::split(value, '|')) {
-        const bool literal = !part.empty() && std::ranges::all_of(part, [](char c) {
-            return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-';
-        });
-        if (!literal) return {};
-        out.emplace_back(part);
-    }
-    return out;
-}
-
 Status assign_number(const Setting& row, const std::string& text, double& number) {
     const auto parsed = base::parse_number(text);
     if (!parsed) return refuse(row, fmt::format("takes a number ({})", row.value), text);
@@ -77,7 +64,7 @@ struct Assign {
         return {};
     }
     Status operator()(Text Settings::*field) const {
-        const auto allowed = choices(row.value);
+        const auto allowed = choices(row);
         if (!allowed.empty() && std::ranges::find(allowed, last()) == allowed.end()) {
             const auto close = base::nearest(last(), allowed);
             return refuse(row, "is one of " + base::join(allowed, ", "), last(),
@@ -155,6 +142,18 @@ std::string quoted(const std::string& word) {
 }
 
 }  // namespace
+
+std::vector<std::string> choices(const Setting& row) {
+    std::vector<std::string> out;
+    for (const std::string_view part : base::split(row.value, '|')) {
+        const bool literal = !part.empty() && std::ranges::all_of(part, [](char c) {
+            return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-';
+        });
+        if (!literal) return {};
+        out.emplace_back(part);
+    }
+    return out;
+}
 
 std::string flag_name(std::string_view key) {
     std::string name = "--" + std::string(key);

@@ -14,6 +14,9 @@ namespace facet::tables {
 /// `--env-rotation` for `env_rotation`.
 [[nodiscard]] std::string flag_name(std::string_view key);
 
+/// The words that a setting is one of; none where it takes anything else.
+[[nodiscard]] std::vector<std::string> choices(const Setting& row);
+
 /// Reads `texts` into the field of one row; nothing where there are none. A flag is "0" or "1".
 /// Errors: usage (what), limit_reached (a picture too large).
 [[nodiscard]] base::Status assign(Settings& values, const Setting& row,

@@ -6,6 +6,8 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <array>
+
 namespace facet::frame {
 
 base::Result<GBuffer> GBuffer::create(const gl::Context& gl, const GBufferSpec& spec) {
@@ -35,6 +37,16 @@ base::Result<GBuffer> GBuffer::create(const gl::Context& gl, const GBufferSpec& 
     return out;
 }
 
+void clear(const gl::Context& gl, const GBuffer& gbuffer) {
+    const gl::Api& api = gl.api();
+    api.BindFramebuffer(GL_FRAMEBUFFER, gbuffer.framebuffer.name());
+    constexpr std::array<GLfloat, 4> black{};
+    constexpr std::array<GLuint, 4> nobody{};
+    const GLint color_count = gbuffer.spec.emissive ? 4 : 3;
+    for (GLint i = 0; i < color_count; ++i) api.ClearBufferfv(GL_COLOR, i, black.data());
+    if (gbuffer.spec.ids) api.ClearBufferuiv(GL_COLOR, color_count, nobody.data());
+}
+
 base::Result<gl::Program> GBufferPass::make(const gl::Context& gl, const Key& key) const {
     const std::string text = defines(key.material) + define("BLEND", false) +
                              define("EMISSIVE_TARGET", key.emissive) +
@@ -57,8 +69,7 @@ base::Status GBufferPass::run(const gl::Context& gl, const GpuScene& scene,
     api.DepthMask(GL_TRUE);
     constexpr float far_depth = 1.0F;
     api.ClearBufferfv(GL_DEPTH, 0, &far_depth);
-    // Colours need no clear: no pass reads them where the depth is still far. Ids do, for edges of
-    // AOVs.
+    // Colours need no clear, but for clear()'s reason: no pass reads them where the depth is far.
     api.BindVertexArray(scene.vertex_array.name());
     for (const std::size_t index : order) {
         const Draw& draw = scene.draws[index];

@@ -33,6 +33,11 @@ struct GBuffer {
                                                       const GBufferSpec& spec);
 };
 
+/// Makes every target black. No pass reads what is not covered, but lanes of a software renderer
+/// that are masked out do, and what they hold can choose another path through its texture filter for
+/// the lanes beside them: results an ulp apart, by what was drawn before.
+void clear(const gl::Context& gl, const GBuffer& gbuffer);
+
 /// Where the frame's uniform blocks are bound.
 enum BlockBinding : GLuint { view_binding = 0, draw_binding = 1, display_binding = 2 };
 
