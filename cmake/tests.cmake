@@ -26,7 +26,7 @@ function(facet_tests room)
     if(TARGET facet_oiio)  # opened at run time, beside the program
       add_dependencies(${program} facet_oiio)
     endif()
-    if(label MATCHES "^(cli|studio)$" AND TARGET facet)
+    if(label MATCHES "^(cli|studio|batch)$" AND TARGET facet)
       add_dependencies(${program} facet)
     endif()
     foreach(source IN LISTS sources_${label})

@@ -127,7 +127,7 @@ base::Result<std::string> GroupReader::path_in_job(const std::string& text) cons
     const fs::path path = (in_.job.folder / text).lexically_normal();
     std::error_code error;
     const fs::path folder = in_.job.folder.empty() ? "." : in_.job.folder;
-    const fs::path resolved = fs::weakly_canonical(path, error);
+    const fs::path resolved = fs::weakly_canonical(fs::absolute(path), error);
     if (error) return invalid("cannot be resolved: " + error.message(), text);
     const auto holds = [&](const fs::path& allowed) {
         return base::is_beneath(resolved, fs::weakly_canonical(allowed, error));
