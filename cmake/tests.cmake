@@ -53,12 +53,20 @@ foreach(room base math tables image brdf scene gl frame trace render batch expla
   facet_tests(${room})
 endforeach()
 
-# Lessons in a real browser; Debian's python3 has its selenium.
+# Tests in Python, which drive the program or a real browser; Debian's python3 has their modules.
 find_program(FACET_SYSTEM_PYTHON NAMES python3 PATHS /usr/bin NO_DEFAULT_PATH)
-if(TARGET facet AND FACET_SYSTEM_PYTHON)
-  add_test(NAME teach/pages.cli COMMAND ${FACET_SYSTEM_PYTHON} ${PROJECT_SOURCE_DIR}/tests/teach/pages.py $<TARGET_FILE:facet>)
-  set_tests_properties(teach/pages.cli PROPERTIES LABELS cli TIMEOUT 900)
-endif()
+function(facet_python_test script label)
+  if(TARGET facet AND FACET_SYSTEM_PYTHON)
+    string(REGEX REPLACE "\\.py$" ".${label}" name ${script})
+    add_test(NAME ${name} COMMAND ${FACET_SYSTEM_PYTHON} ${PROJECT_SOURCE_DIR}/tests/${script} $<TARGET_FILE:facet> ${ARGN})
+    set_tests_properties(${name} PROPERTIES LABELS ${label} TIMEOUT 900 SKIP_RETURN_CODE 77)
+  endif()
+endfunction()
+facet_python_test(teach/pages.py cli)
+facet_python_test(batch/schema.py batch ${PROJECT_SOURCE_DIR})
+facet_python_test(batch/report.py batch)
+facet_python_test(batch/faults.py batch --items 120 --kills 14)
+facet_python_test(batch/slurm.py batch ${PROJECT_SOURCE_DIR})
 
 foreach(check check_house check_style)
   if(EXISTS ${PROJECT_SOURCE_DIR}/scripts/${check}.py)

@@ -11,21 +11,22 @@
 namespace facet::batch {
 namespace {
 
+/// A scene of one material stands for any; lights and textures need the real one.
 base::Status check_set(const std::string& assignment) {
-    // A scene of one material stands for any; lights and textures need the real one.
     const std::size_t equals = assignment.rfind('=');
-    const std::size_t dot = assignment.rfind('.', equals);
-    const bool is_material =
-        assignment.starts_with("material.") || assignment.starts_with("material[");
-    if (!is_material || equals == std::string::npos || dot == std::string::npos) return {};
-    std::string key = assignment.substr(dot + 1, equals - dot - 1);
-    if (key.ends_with("_texture") || key.ends_with("-texture")) return {};
+    const std::string path = assignment.substr(0, equals);
+    if (path.starts_with("light.") || path.starts_with("light[") || path.ends_with("texture"))
+        return {};
     scene::Scene any;
     any.materials.emplace_back();
-    return scene::apply_set(any, "material.*" + assignment.substr(dot)).map_error([&](auto error) {
-        error.where = assignment.substr(0, equals);
-        return error;
-    });
+    const bool is_material = path.starts_with("material.") || path.starts_with("material[");
+    const std::size_t dot = path.rfind('.');
+    const bool has_key = is_material && equals != std::string::npos && dot != std::string::npos;
+    return scene::apply_set(any, has_key ? "material.*" + assignment.substr(dot) : assignment)
+        .map_error([&](auto error) {
+            error.where = path;
+            return error;
+        });
 }
 
 base::Status check_environment(const std::string& env) {
