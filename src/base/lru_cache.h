@@ -11,8 +11,9 @@
 
 namespace facet::base {
 
-/// Values by name. Above the bound the one that was not asked for longest goes; whoever still holds
-/// it keeps it alive. Safe to use from several threads.
+/// Values by name. Above the bound the one that was not asked for longest goes, but for the last
+/// two: what is worked on and what comes next. Whoever still holds a value keeps it alive. Safe to
+/// use from several threads.
 template <class Value>
 class LruCache {
 public:
@@ -29,12 +30,11 @@ public:
         return nullptr;
     }
 
-    /// A value larger than the bound is not kept.
     void put(std::string name, std::shared_ptr<const Value> value, std::size_t bytes) {
         const std::lock_guard lock(mutex_);
         entries_.push_front({std::move(name), std::move(value), bytes});
         bytes_ += bytes;
-        while (bytes_ > max_bytes_) {
+        while (bytes_ > max_bytes_ && entries_.size() > always_kept) {
             bytes_ -= entries_.back().bytes;
             entries_.pop_back();
         }
@@ -46,6 +46,7 @@ private:
         std::shared_ptr<const Value> value;
         std::size_t bytes = 0;
     };
+    static constexpr std::size_t always_kept = 2;
     std::size_t max_bytes_;
     std::size_t bytes_ = 0;
     std::list<Entry> entries_;  ///< the last asked for first

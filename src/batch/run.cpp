@@ -30,7 +30,7 @@ using Seconds = std::chrono::duration<double>;
 /// Given ahead of what is drawn: one is written, one drawn, one read.
 constexpr std::size_t most_in_flight = 3;
 constexpr std::size_t most_jobs = 256;
-constexpr std::size_t asset_bytes = std::size_t{96} << 20U;  // of a worker's 400 MB
+constexpr std::size_t asset_bytes = std::size_t{48} << 20U;  // of a worker's 400 MB
 /// After a signal, for items that are nearly done; the contract gives two seconds in all.
 constexpr Seconds last_orders{1.5};
 constexpr int look_up_ms = 200;

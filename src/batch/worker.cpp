@@ -7,6 +7,7 @@
 #include "batch/renderer.h"
 #include "batch/state.h"
 
+#include <malloc.h>
 #include <poll.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -213,6 +214,11 @@ private:
 }  // namespace
 
 void work(const WorkerInputs& in, int commands, int results) {
+    // Decoded pictures go back to the system when they are freed, and what is read back for every
+    // picture does not: glibc would in time keep both.
+    ::mallopt(M_MMAP_THRESHOLD, 4 << 20);
+    ::mallopt(M_TRIM_THRESHOLD, 32 << 20);
+    ::mallopt(M_ARENA_MAX, 2);
     // Called once in a process: its GL is set up before any library of it is loaded.
     ::setenv("LP_NUM_THREADS", in.thread_count == 1 ? "0" : std::to_string(in.thread_count).c_str(),
              0);

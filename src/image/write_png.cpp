@@ -148,7 +148,7 @@ std::vector<Byte> filtered(const Image& image, bool fast) {
 }
 
 base::Bytes packed(const std::vector<Byte>& rows, bool fast) {
-    const Compressor deflater(libdeflate_alloc_compressor(fast ? 1 : 6));
+    const Compressor deflater(libdeflate_alloc_compressor(fast ? 1 : 4));
     if (deflater == nullptr) throw std::bad_alloc();
     base::Bytes out(libdeflate_zlib_compress_bound(deflater.get(), rows.size()));
     out.resize(
