@@ -2,13 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "batch/group.h"
 
-#include "base/file.h"
 #include "base/json.h"
 #include "base/text.h"
-#include "batch/glob.h"
 #include "scene/camera_spec.h"
-#include "scene/environment.h"
-#include "tables/material.h"
 
 #include <spdlog/fmt/fmt.h>
 
@@ -30,13 +26,6 @@ tl::unexpected<base::Error> invalid(std::string what, std::string found, std::st
 std::string brief(const Json& value) {
     if (value.is_string()) return value.get<std::string>();
     return value.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
-
-bool is_texture_path(std::string_view path) {
-    const std::string_view key = path.substr(path.rfind('.') + 1);
-    return path.starts_with("material") &&
-           std::ranges::any_of(tables::material_textures,
-                               [&](const auto& row) { return row.key == key; });
 }
 
 /// The key of a flag, as "env_rotation" of "--env-rotation".
@@ -119,85 +108,8 @@ void GroupReader::collect(const Json& object, const std::string& pointer, Member
     }
 }
 
-base::Result<std::string> GroupReader::path_in_job(const std::string& text) const {
-    if (text.find("://") != std::string::npos)
-        return invalid("network is never used", text, "download it");
-    if (text.empty() || text.find('\0') != std::string::npos)
-        return invalid("not a file name", text);
-    const fs::path path = (in_.job.folder / text).lexically_normal();
-    std::error_code error;
-    const fs::path folder = in_.job.folder.empty() ? "." : in_.job.folder;
-    const fs::path resolved = fs::weakly_canonical(fs::absolute(path), error);
-    if (error) return invalid("cannot be resolved: " + error.message(), text);
-    const auto holds = [&](const fs::path& allowed) {
-        return base::is_beneath(resolved, fs::weakly_canonical(allowed, error));
-    };
-    if (!holds(folder) && std::ranges::none_of(in_.options.settings.allow_read, holds))
-        return invalid("outside the job's folder", text, "--allow-read DIR if it may be read");
-    return path.string();
-}
-
-base::Status GroupReader::resolve_scenes(const Given& given, std::vector<Json>& scenes) {
-    std::vector<Json> out;
-    for (const Json& value : scenes) {
-        if (!value.is_string()) return invalid("a scene is a text", brief(value));
-        const auto& text = value.get_ref<const std::string&>();
-        if (text == "-") return invalid("a job reads no standard input", text, "give a file");
-        if (text.starts_with("builtin:")) {
-            out.emplace_back(text);
-            continue;
-        }
-        const bool has_pattern = is_pattern(text) && !fs::exists(in_.job.folder / text);
-        std::vector<std::string> files{text};
-        if (has_pattern) files = matching_files(in_.job.folder, text);
-        if (files.empty())
-            in_.problems.warnings.push_back(
-                {.where = given.pointer, .what = "no file is named so", .found = text});
-        for (const std::string& file : files) {
-            const auto path = path_in_job(file);
-            if (!path) return tl::unexpected(path.error());
-            std::error_code error;
-            if (!has_pattern && !fs::exists(*path, error))
-                in_.problems.warnings.push_back(
-                    {.where = given.pointer, .what = "no such file", .found = text});
-            out.emplace_back(*path);
-        }
-    }
-    scenes = std::move(out);
-    return {};
-}
-
-base::Status GroupReader::resolve(const Given& given, Json& value) const {
-    const auto resolve_text = [&](Json& text) -> base::Status {
-        const auto path = path_in_job(text.get<std::string>());
-        if (!path) return tl::unexpected(path.error());
-        text = *path;
-        return {};
-    };
-    if (given.kind == AxisKind::path) {
-        const bool is_file = is_texture_path(given.key) && value.is_string() && value != "none";
-        return is_file ? resolve_text(value) : base::Status{};
-    }
-    if (given.key == "env" && value.is_string()) {
-        const auto file = scene::environment_file(value.get<std::string>());
-        if (!file) return tl::unexpected(file.error());
-        return *file ? resolve_text(value) : base::Status{};
-    }
-    if (given.key != "material") return {};
-    for (Json& one : value.is_array() ? value : value = Json::array({value})) {
-        if (!one.is_string()) continue;
-        const auto text = one.get<std::string>();
-        const std::size_t equals = text.rfind('=');
-        if (equals == std::string::npos || !text.ends_with(".json")) continue;
-        const auto path = path_in_job(text.substr(equals + 1));
-        if (!path) return tl::unexpected(path.error());
-        one = text.substr(0, equals + 1) + *path;
-    }
-    return {};
-}
-
 void GroupReader::put_one(const Given& given, Json value, Group& group) {
-    if (auto resolved = resolve(given, value); !resolved)
+    if (auto resolved = paths_.resolve(given, value); !resolved)
         return keep(resolved.error(), given.pointer);
     const std::string label = label_of(given.kind, given.key, *given.value);
     if (auto set = apply(given.kind, given.key, value, group.settings); !set)
@@ -210,7 +122,8 @@ void GroupReader::put_axis(Axis axis, Group& group) {
         const std::string place = fmt::format("{}/{}", axis.pointer, i);
         const Given given{axis.kind, axis.key, &axis.values[i], place};
         Json value = axis.values[i];
-        if (auto resolved = resolve(given, value); !resolved) return keep(resolved.error(), place);
+        if (auto resolved = paths_.resolve(given, value); !resolved)
+            return keep(resolved.error(), place);
         axis.values[i] = std::move(value);
     }
     group.axes.push_back(std::move(axis));
@@ -221,7 +134,8 @@ void GroupReader::put(const Given& given, Group& group) {
         std::vector<Json> scenes{*given.value};
         if (given.value->is_array()) scenes.assign(given.value->begin(), given.value->end());
         const bool is_one = !given.value->is_array();
-        if (auto s = resolve_scenes(given, scenes); !s) return keep(s.error(), given.pointer);
+        if (auto s = paths_.resolve_scenes(given, scenes, in_.problems.warnings); !s)
+            return keep(s.error(), given.pointer);
         if (is_one && scenes.size() == 1) {
             group.scene = scenes.front().get<std::string>();
             return;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "batch/job_file.h"
+#include "batch/job_paths.h"
 #include "batch/job_values.h"
 
 #include <string>
@@ -19,7 +20,8 @@ public:
         const Json& defaults;
         const Json* output;  ///< of the whole job; may be null
     };
-    explicit GroupReader(const Inputs& in) : in_(in) {}
+    explicit GroupReader(const Inputs& in)
+        : in_(in), paths_(in.job.folder, in.options.settings.allow_read) {}
 
     /// Appends a group to the job, or what is wrong with it to the problems.
     void read(const Json& item, const std::string& pointer);
@@ -35,14 +37,10 @@ private:
     void read_frames(const Given& given, Group& group);
     void name_outputs(const Members& members, const std::string& pointer, Group& group);
     void check(const Members& members, const Group& group, const std::string& pointer);
-    /// Expands patterns, and makes paths those of files.
-    [[nodiscard]] base::Status resolve_scenes(const Given& given, std::vector<Json>& scenes);
-    [[nodiscard]] base::Status resolve(const Given& given, Json& value) const;
-    [[nodiscard]] base::Result<std::string> path_in_job(const std::string& text) const;
-
     void keep(base::Error error, const std::string& pointer);
 
     Inputs in_;
+    JobPaths paths_;
 };
 
 /// Whether settings make sense, as far as that can be known without the scene. Errors: usage, with

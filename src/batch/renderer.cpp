@@ -4,6 +4,7 @@
 
 #include "base/text.h"
 #include "render/draw.h"
+#include "render/session.h"
 #include "render/stopwatch.h"
 
 #include <cmath>
@@ -36,6 +37,9 @@ Shot shot_of(const scene::Camera& camera, const render::Plan& plan) {
 }
 
 }  // namespace
+
+Renderer::Renderer(const Inputs& in) : in_(in), assets_(in.asset_bytes) {}
+Renderer::~Renderer() = default;
 
 void Renderer::prepare(const Item& item) {
     if (loading_ && loading_->scene == item.scene) return;
@@ -77,14 +81,14 @@ base::Status Renderer::show(const render::Request& request, const render::Plan& 
         out.warnings = job->warnings;
         out.reads = job->reads;
         shown_.clear();
-        if (session_) {
+        if (session_ != nullptr) {
             if (auto s = session_->enter(std::move(*job), request.settings, plan, baking); !s)
                 return s;
         } else {
             auto session = render::Session::create(*gl_, std::move(*job), request.settings, plan,
                                                    in_.pool, baking);
             if (!session) return tl::unexpected(session.error());
-            session_ = std::move(*session);
+            session_ = std::make_unique<render::Session>(std::move(*session));
             session_->use(assets_);
         }
         shown_ = key;

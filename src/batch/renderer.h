@@ -8,12 +8,16 @@
 #include "gl/context.h"
 #include "render/assets.h"
 #include "render/picture_file.h"
-#include "render/session.h"
 
 #include <future>
 #include <map>
 #include <memory>
 #include <optional>
+
+namespace facet::render {
+class Session;
+struct Plan;
+}  // namespace facet::render
 
 namespace facet::batch {
 
@@ -33,7 +37,10 @@ public:
         base::Log& log;
         std::size_t asset_bytes = 0;  ///< that read scenes and environments may take
     };
-    explicit Renderer(const Inputs& in) : in_(in), assets_(in.asset_bytes) {}
+    explicit Renderer(const Inputs& in);
+    ~Renderer();
+    Renderer(const Renderer&) = delete;
+    Renderer& operator=(const Renderer&) = delete;
 
     /// Begins to read what an item needs and is not there, beside what is drawn meanwhile.
     void prepare(const Item& item);
@@ -53,7 +60,7 @@ private:
     Inputs in_;
     render::Assets assets_;
     std::optional<gl::Context> gl_;
-    std::optional<render::Session> session_;
+    std::unique_ptr<render::Session> session_;
     std::string shown_;  ///< the session's scene and how it was read; empty: none
     std::optional<Loading> loading_;
     std::map<std::size_t, double> exposures_;  ///< by a sequence's first item

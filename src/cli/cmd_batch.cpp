@@ -1,14 +1,12 @@
 // facet batch: many pictures of a job file.
 // SPDX-License-Identifier: MIT
 #include "base/build_id.h"
-#include "base/file.h"
 #include "base/text.h"
 #include "batch/collect.h"
-#include "batch/data_set.h"
 #include "batch/job_file.h"
-#include "batch/report.h"
 #include "batch/run.h"
 #include "batch/schema.h"
+#include "cli/batch_report.h"
 #include "cli/flags.h"
 #include "cli/progress.h"
 #include "cli/setting_flags.h"
@@ -40,10 +38,7 @@ struct BatchOptions {
     std::optional<double> retries;
     std::optional<double> item_timeout_s;
     std::optional<double> wait_s;
-    std::string report;
-    std::string baseline;
-    std::optional<double> max_flip;
-    bool merge = false;
+    ReportOptions report;
     bool schema = false;
     TypedSettings typed;
 };
@@ -127,8 +122,8 @@ base::Status check_pairs(const BatchOptions& options) {
     };
     if (options.restart && options.resume) return excludes("--restart", "--resume");
     if (options.fail_fast && options.keep_going) return excludes("--fail-fast", "--keep-going");
-    if (options.merge && !options.shard.empty()) return excludes("--merge", "--shard");
-    if (options.merge && options.restart) return excludes("--merge", "--restart");
+    if (options.report.merge && !options.shard.empty()) return excludes("--merge", "--shard");
+    if (options.report.merge && options.restart) return excludes("--merge", "--restart");
     return {};
 }
 
@@ -177,81 +172,6 @@ Exit exit_of(const batch::Outcome& outcome) {
     return outcome.failed > 0 ? Exit::not_held : Exit::done;
 }
 
-/// Where pictures and pages can be compared and written, before any work begins.
-base::Status check_report(const BatchOptions& options) {
-    std::error_code error;
-    if (!options.baseline.empty() && !std::filesystem::is_directory(options.baseline, error))
-        return base::fail(
-            {.code = ErrorCode::usage,
-             .file = "--baseline",
-             .what = "no such folder",
-             .found = options.baseline,
-             .remedy = "the folder of the job as it was when its pictures were good"});
-    if (options.max_flip && options.baseline.empty())
-        return base::fail({.code = ErrorCode::usage,
-                           .file = "--max-flip",
-                           .what = "is for a comparison",
-                           .remedy = "add --baseline DIR"});
-    return options.report.empty() ? base::Status{} : base::check_writable(options.report);
-}
-
-/// Compares with the baseline and writes the page; whether every picture is as it was.
-Result<bool> report(const BatchOptions& options, const batch::Job& job,
-                    const std::vector<std::size_t>& items, std::vector<Json> results, Io& io) {
-    base::ThreadPool pool;
-    batch::CardOptions wanted{.with_pictures = !options.report.empty()};
-    if (!options.baseline.empty()) wanted.baseline = options.baseline;
-    const auto cards = [&] {
-        ProgressLine progress(io);
-        wanted.progress = progress.sink();
-        return batch::make_cards(job, items, std::move(results), wanted, pool);
-    }();
-    const double bound = options.max_flip.value_or(0.0);
-    if (!options.report.empty())
-        if (auto written = batch::write_report(job, cards,
-                                               {.file = options.report,
-                                                .max_flip = bound,
-                                                .has_baseline = !options.baseline.empty()});
-            !written)
-            return tl::unexpected(written.error());
-    bool holds = true;
-    for (const batch::Card& card : cards) {
-        const bool is_changed = card.flip && *card.flip > bound;
-        holds = holds && !is_changed;
-        if (is_changed && !io.json)
-            io.print(fmt::format("changed  {}  FLIP {:.4f}",
-                                 base::escaped(job.output_of(card.item).string(), 4096),
-                                 *card.flip));
-        if (wanted.baseline && !card.flip && !card.picture.data_uri.empty() && !io.json)
-            io.note(fmt::format("facet: {}: {}",
-                                base::escaped(job.output_of(card.item).string(), 4096),
-                                card.problem));
-        if (io.json && card.flip)
-            io.print_object(
-                Json{{"item", card.item}, {"flip", *card.flip}, {"holds", !is_changed}});
-    }
-    if (!options.report.empty() && !io.json) io.print(base::escaped(options.report, 4096));
-    return holds;
-}
-
-/// What is made of all that is done: the data set's tables, the report, the comparison.
-Result<bool> conclude(const BatchOptions& options, const batch::Job& job, const batch::Shard& shard,
-                      Io& io) {
-    const bool is_whole = shard.count == 1 || options.merge;
-    const bool has_tables = job.data_set && is_whole;
-    if (options.report.empty() && options.baseline.empty() && !has_tables) return true;
-    const auto items = batch::items_of(job, options.merge ? batch::Shard{} : shard);
-    auto results = batch::collect(job, items, shard, false, {});
-    if (!results) return tl::unexpected(results.error());
-    if (has_tables) {
-        base::ThreadPool pool;
-        if (auto written = batch::write_data_set(job, *results, {}, pool); !written)
-            return tl::unexpected(written.error());
-    }
-    if (options.report.empty() && options.baseline.empty()) return true;
-    return report(options, job, items, std::move(*results), io);
-}
-
 Result<Exit> merge_shards(const BatchOptions& options, const batch::Job& job, Io& io) {
     const auto merged = batch::merge(job, {});
     if (!merged) return tl::unexpected(merged.error());
@@ -262,7 +182,7 @@ Result<Exit> merge_shards(const BatchOptions& options, const batch::Job& job, Io
                             base::escaped(job.output_of(merged->missing[i]).string(), 4096)));
     if (merged->missing.size() > most_told)
         io.note(fmt::format("... and {} more", merged->missing.size() - most_told));
-    const auto holds = conclude(options, job, {}, io);
+    const auto holds = conclude(options.report, job, {}, io);
     if (!holds) return tl::unexpected(holds.error());
     if (io.json)
         io.print_object(Json{{"facet", 1},
@@ -309,7 +229,7 @@ Result<Exit> render_items(const BatchOptions& options, const batch::Job& job,
     else if (outcome->signal == 0)
         io.print(summary(*outcome));
     if (outcome->signal != 0) return exit_of(*outcome);
-    const auto holds = conclude(options, job, shard, io);
+    const auto holds = conclude(options.report, job, shard, io);
     if (!holds) return tl::unexpected(holds.error());
     return *holds ? exit_of(*outcome) : Exit::not_held;
 }
@@ -325,8 +245,9 @@ Result<Exit> run_batch(const BatchOptions& options, Io& io) {
     const auto job = read(options, io);
     if (!job) return tl::unexpected(job.error());
     if (options.dry_run) return list_items(*job, *shard, io);
-    if (auto checked = check_report(options); !checked) return tl::unexpected(checked.error());
-    if (options.merge) return merge_shards(options, *job, io);
+    if (auto checked = check_report(options.report); !checked)
+        return tl::unexpected(checked.error());
+    if (options.report.merge) return merge_shards(options, *job, io);
     return render_items(options, *job, *shard, io);
 }
 
@@ -342,7 +263,7 @@ void add_batch(Declaration& command) {
                      "prints the JSON Schema of job files, for editors"});
     flags.push_back({"--shard", &options->shard, "I/N", "Work",
                      "only part I (from 0) of N; the parts can run anywhere"});
-    flags.push_back({"--merge", &options->merge, "", "Work",
+    flags.push_back({"--merge", &options->report.merge, "", "Work",
                      "renders nothing; joins the results of all parts, and says what is missing"});
     flags.push_back({"--jobs", BoundedNumber{&options->jobs, {1, 1e6}}, "N", "Work",
                      "worker processes (one per core)"});
@@ -360,11 +281,11 @@ void add_batch(Declaration& command) {
                      "of an item whose worker died or that may do better later (1)"});
     flags.push_back({"--item-timeout", BoundedNumber{&options->item_timeout_s, {0.001, 1e7}}, "S",
                      "Faults", "seconds that an item may take"});
-    flags.push_back({"--report", &options->report, "FILE", "Report",
+    flags.push_back({"--report", &options->report.report, "FILE", "Report",
                      "a contact sheet: one HTML page with every picture, time and error"});
-    flags.push_back({"--baseline", &options->baseline, "DIR", "Report",
+    flags.push_back({"--baseline", &options->report.baseline, "DIR", "Report",
                      "compares with earlier pictures, at the same paths in DIR (FLIP)"});
-    flags.push_back({"--max-flip", BoundedNumber{&options->max_flip, {0, 1}}, "X", "Report",
+    flags.push_back({"--max-flip", BoundedNumber{&options->report.max_flip, {0, 1}}, "X", "Report",
                      "exit 1 where a picture differs by more (0)"});
     options->typed.declare(flags, [](const tables::Setting& row) {
         return row.group == "Machine" && row.key != "base";

@@ -84,7 +84,8 @@ base::Status check(const RenderOptions& options, const tables::Settings& setting
 
 nlohmann::ordered_json result_object(const std::string& output, const render::Rendered& r) {
     nlohmann::ordered_json warnings = nlohmann::ordered_json::array();
-    for (const base::Warning& warning : r.warnings) warnings.push_back(tables::message_object(warning));
+    for (const base::Warning& warning : r.warnings)
+        warnings.push_back(tables::message_object(warning));
     nlohmann::ordered_json object = {{"facet", 1},
                                      {"output", output},
                                      {"width", r.size.width},

@@ -44,10 +44,33 @@ std::string cameras() {
            "--camera orbit:...  azimuth, elevation in degrees (where the eye is: 0 is +z, 90 is "
            "+x, 90 up is above),\n"
            "                    distance in metres (default: fits the model), target \"x y z\" "
-           "(default: its middle)\n"
+           "(default: its middle);\n"
+           "                    fit=turn fits it at every azimuth, fit=sphere the sphere around "
+           "it\n"
            "--fov DEG           vertical angle of view; it stays when the picture's shape differs "
            "from the camera's\n"
            "facet render a.glb --list cameras  names the cameras of a file\n";
+}
+
+std::string batch() {
+    return "Example: facet batch thumbnails.json --report thumbnails.html\n\n"
+           "{ \"facet\": 1,\n"
+           "  \"output\": \"out/{scene}-{index:04}.png\",\n"
+           "  \"defaults\": { \"size\": [256, 256] },\n"
+           "  \"items\": [ { \"scene\": \"models/**/*.glb\", \"camera\": [\"auto\", "
+           "\"orbit:azimuth=90\"],\n"
+           "               \"set\": { \"material.*.roughness\": [0.1, 0.9] } } ] }\n\n"
+           "Keys are the options of facet render with underscores; every list is an axis, and axes "
+           "multiply, save where\nthe value itself is a list (size, vectors, light, aov, material: "
+           "there an axis is a list of lists).\n"
+           "\"frames\": {\"orbit\": 36} is a turntable; {\"random\": [0, 1], \"count\": 50, "
+           "\"seed\": 7} an axis of chance, without a count\na draw for each item; \"camera\": "
+           "{\"sphere\": 200} cameras all around.\n"
+           "Placeholders: {scene} {folder} {index} {frame} {camera} and every key; {index:05} "
+           "pads.\n"
+           "Paths are relative to the job file. State lies in JOB.facet/: the same command goes on "
+           "where it was.\n"
+           "facet batch --schema prints the form for editors; docs/batch.md has the whole of it.\n";
 }
 
 std::string lessons() {
@@ -180,9 +203,9 @@ struct Topic {
     std::string_view name;
     std::string (*text)();
 };
-constexpr Topic topics[] = {{"lights", lights},   {"cameras", cameras},      {"set", set},
-                            {"studio", studio},   {"lessons", lessons},      {"aovs", aovs},
-                            {"brdf-terms", brdf}, {"exit-codes", exit_codes}};
+constexpr Topic topics[] = {{"lights", lights}, {"cameras", cameras}, {"batch", batch},
+                            {"set", set},       {"studio", studio},   {"lessons", lessons},
+                            {"aovs", aovs},     {"brdf-terms", brdf}, {"exit-codes", exit_codes}};
 
 }  // namespace
 

@@ -34,8 +34,8 @@ struct GBuffer {
 };
 
 /// Makes every target black. No pass reads what is not covered, but lanes of a software renderer
-/// that are masked out do, and what they hold can choose another path through its texture filter for
-/// the lanes beside them: results an ulp apart, by what was drawn before.
+/// that are masked out do, and what they hold can choose another path through its texture filter
+/// for the lanes beside them: results an ulp apart, by what was drawn before.
 void clear(const gl::Context& gl, const GBuffer& gbuffer);
 
 /// Where the frame's uniform blocks are bound.
