@@ -21,13 +21,14 @@
       .join(' ').toLowerCase();
   }
 
+  const rank = (item) => (item.status === 'failed' || item.status === 'missing' ? Infinity : item.flip ?? -1);
   const orders = {
     item: ['Order', (a, b) => a.item - b.item],
     name: ['Name', (a, b) => a.name.localeCompare(b.name, 'en', { numeric: true })],
     slow: ['Slowest', (a, b) => b.total_ms - a.total_ms],
     memory: ['Memory', (a, b) => (b.result ? b.result.peak_rss : 0) - (a.result ? a.result.peak_rss : 0)],
   };
-  if (data.has_baseline) orders.flip = ['Most changed', (a, b) => (b.flip ?? -1) - (a.flip ?? -1)];
+  if (data.has_baseline) orders.flip = ['Most changed', (a, b) => (rank(b) - rank(a)) || 0];
   const states = [...new Set(data.items.map((item) => item.status))];
   const off = new Set();
   let listed = [];

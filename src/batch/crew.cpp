@@ -40,10 +40,13 @@ Crew::~Crew() {
 
 base::Status Crew::start(Hand& hand) {
     const auto failed = [](const char* what) {
-        return base::fail({.code = base::ErrorCode::temporary,
-                           .what = what,
-                           .found = std::strerror(errno),
-                           .remedy = "fewer --jobs, or close other programs"});
+        const bool is_limit = errno == EMFILE;
+        return base::fail(
+            {.code = is_limit ? base::ErrorCode::limit_reached : base::ErrorCode::temporary,
+             .what = what,
+             .found = std::strerror(errno),
+             .remedy = is_limit ? "ulimit -n 256 allows more open files"
+                                : "fewer --jobs, or close other programs"});
     };
     std::array<int, 2> orders{};
     std::array<int, 2> results{};

@@ -43,7 +43,7 @@ public:
 
     [[nodiscard]] std::span<Hand> hands() { return hands_; }
     /// Starts the process where there is none, and gives it an item. Errors: temporary (no
-    /// process).
+    /// process), limit_reached (of open files).
     [[nodiscard]] base::Status give(Hand& hand, std::size_t item);
     /// Reads what a worker has to say; whole lines only.
     [[nodiscard]] std::vector<std::string> hear(Hand& hand);

@@ -202,7 +202,8 @@ void GroupReader::name_outputs(const Members& members, const std::string& pointe
     if (!text->is_string()) return keep(invalid("is not a text", brief(*text)).value(), place);
     std::vector<std::string> known = {"scene", "folder", "index", "camera"};
     if (group.turntable) known.emplace_back("frame");
-    for (const Given& given : members.given) known.push_back(given.key);
+    for (const Given& given : members.given)
+        if (std::ranges::find(known, given.key) == known.end()) known.push_back(given.key);
     auto parsed = NameTemplate::parse(text->get<std::string>(), known);
     if (!parsed) return keep(parsed.error(), place);
     group.output = std::move(*parsed);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "batch/worker.h"
 
+#include "base/file.h"
 #include "base/text.h"
 #include "batch/input_hash.h"
 #include "batch/renderer.h"
@@ -33,6 +34,21 @@ base::Error out_of_memory() {
     return {.code = base::ErrorCode::limit_reached,
             .what = "out of memory",
             .remedy = "a smaller size, or fewer --jobs"};
+}
+
+/// The folder of an output, made; what cannot be written is told before it is rendered.
+base::Status make_place(const std::filesystem::path& output) {
+    std::error_code error;
+    const std::filesystem::path folder = output.parent_path();
+    if (!folder.empty()) std::filesystem::create_directories(folder, error);
+    if (!error && !folder.empty() && !std::filesystem::is_directory(folder, error) && !error)
+        error = std::make_error_code(std::errc::not_a_directory);
+    if (!error) return base::check_writable(output);
+    const bool is_full = error == std::errc::no_space_on_device;
+    return base::fail(
+        {.code = is_full ? base::ErrorCode::temporary : base::ErrorCode::input_invalid,
+         .file = folder.string(),
+         .what = "cannot be made: " + error.message()});
 }
 
 /// Numbers of items, as they come in.
@@ -132,8 +148,6 @@ private:
     }
     void write_one(Drawn& drawn, ItemResult& result) {
         try {
-            std::error_code error;
-            std::filesystem::create_directories(drawn.file.path.parent_path(), error);
             const auto written = render::write_picture(drawn.file, drawn.request, drawn.rendered);
             if (written) {
                 result.sha256 = written->sha256;
@@ -180,6 +194,7 @@ public:
             result.varied = item->varied;
             // Before anything is read: a file that changes later is then found to have changed.
             result.input = hashes_.of(in_.job, *item);
+            if (auto place = make_place(item->output); !place) return fail(result, place.error());
             if (!next.empty())
                 if (const auto after = in_.job.item(next.front())) renderer_.prepare(*after);
             auto drawn = renderer_.draw(*item);

@@ -41,6 +41,7 @@ Result<bool> report(const ReportOptions& options, const batch::Job& job,
             !written)
             return tl::unexpected(written.error());
     bool holds = true;
+    std::size_t new_count = 0;
     for (const batch::Card& card : cards) {
         const bool is_changed = card.flip && *card.flip > bound;
         holds = holds && !is_changed;
@@ -48,14 +49,15 @@ Result<bool> report(const ReportOptions& options, const batch::Job& job,
             io.print(fmt::format("changed  {}  FLIP {:.4f}",
                                  base::escaped(job.output_of(card.item).string(), 4096),
                                  *card.flip));
-        if (wanted.baseline && !card.flip && !card.picture.data_uri.empty() && !io.json)
-            io.note(fmt::format("facet: {}: {}",
-                                base::escaped(job.output_of(card.item).string(), 4096),
-                                card.problem));
+        if (wanted.baseline && card.earlier.empty() && !card.result.is_null())
+            new_count += card.result.value("status", "") == "done" ? 1 : 0;
         if (io.json && card.flip)
             io.print_object(
                 Json{{"item", card.item}, {"flip", *card.flip}, {"holds", !is_changed}});
     }
+    if (new_count > 0)
+        io.note(fmt::format("facet: {} of {} pictures are not in the baseline", new_count,
+                            cards.size()));
     if (!options.report.empty() && !io.json) io.print(base::escaped(options.report, 4096));
     return holds;
 }

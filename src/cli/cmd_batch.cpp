@@ -268,13 +268,13 @@ void add_batch(Declaration& command) {
     flags.push_back({"--jobs", BoundedNumber{&options->jobs, {1, 1e6}}, "N", "Work",
                      "worker processes (one per core)"});
     flags.push_back({"--resume", &options->resume, "", "Work",
-                     "skips items that are done and still hold (as is)"});
+                     "skips items that are done and still hold (so by default)"});
     flags.push_back({"--restart", &options->restart, "", "Work",
                      "forgets what was done, and renders every item"});
     flags.push_back({"--wait", BoundedNumber{&options->wait_s, {0, 1e7}}, "S", "Work",
                      "seconds to wait for another run of the job to end (0)"});
     flags.push_back({"--keep-going", &options->keep_going, "", "Faults",
-                     "a failed item stops no other (as is)"});
+                     "a failed item stops no other (so by default)"});
     flags.push_back(
         {"--fail-fast", &options->fail_fast, "", "Faults", "ends after the first failure"});
     flags.push_back({"--retries", BoundedNumber{&options->retries, {0, 100}}, "N", "Faults",

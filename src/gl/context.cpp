@@ -180,12 +180,14 @@ std::string shader_cache_folder() {
 }
 
 void prepare_environment(unsigned thread_count) {
-    // Mesa makes the last folder of the path only.
-    if (const std::string folder = shader_cache_folder(); !folder.empty()) {
-        std::error_code error;
-        std::filesystem::create_directories(folder, error);
-        if (!error) ::setenv("MESA_SHADER_CACHE_DIR", folder.c_str(), 0);
-    }
+    // Mesa makes the last folder of the path only, and complains by itself where it finds none.
+    const std::string folder = shader_cache_folder();
+    std::error_code error;
+    if (!folder.empty()) std::filesystem::create_directories(folder, error);
+    if (folder.empty() || error)
+        ::setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);
+    else
+        ::setenv("MESA_SHADER_CACHE_DIR", folder.c_str(), 0);
     if (thread_count > 0) ::setenv("LP_NUM_THREADS", std::to_string(thread_count).c_str(), 0);
 }
 

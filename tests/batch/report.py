@@ -68,7 +68,8 @@ def main():
             shown = [image for image in find(".card img") if image.get_property("naturalWidth") > 100]
             check(len(shown) == 5, f"five pictures are there: {len(shown)}")
             # Sorted by change: the changed one first.
-            check("changed" in find(".card")[0].get_attribute("class"), "most changed first")
+            check("failed" in find(".card")[0].get_attribute("class"), "what failed first")
+            check("changed" in find(".card")[1].get_attribute("class"), "then what changed most")
             Select(driver.find_element("id", "sort")).select_by_value("name")
             check(names() == sorted(names()), f"by name: {names()}")
             search = driver.find_element("id", "search")
