@@ -21,7 +21,8 @@ public:
         auto [known, is_new] = folders_.try_emplace(folder);
         if (is_new) {
             std::error_code error;
-            known->second = fs::weakly_canonical(fs::absolute(folder), error).string();
+            known->second =
+                fs::weakly_canonical(fs::absolute(folder.empty() ? "." : folder), error).string();
         }
         std::string name = known->second + "/" + output.filename().string();
         std::ranges::transform(name, name.begin(), [](char c) {

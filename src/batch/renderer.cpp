@@ -123,7 +123,13 @@ base::Result<Drawn> Renderer::draw(const Item& item) {
     out.request.want_linear = out.file.holds_radiance();
     auto plan = render::make_plan(item.settings);
     if (!plan) return tl::unexpected(plan.error());
+    if (gl_ && backend_ != plan->backend) {
+        session_.reset();
+        shown_.clear();
+        gl_.reset();
+    }
     if (!gl_) {
+        backend_ = plan->backend;
         auto gl = gl::Context::create(plan->backend, in_.log);
         if (!gl) return tl::unexpected(gl.error());
         gl_ = std::move(*gl);

@@ -59,6 +59,7 @@ private:
 
     Inputs in_;
     render::Assets assets_;
+    gl::Backend backend_ = gl::Backend::automatic;  ///< that gl_ was asked for
     std::optional<gl::Context> gl_;
     std::unique_ptr<render::Session> session_;
     std::string shown_;  ///< the session's scene and how it was read; empty: none

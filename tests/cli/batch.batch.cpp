@@ -6,7 +6,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -254,11 +256,44 @@ TEST(Batch, ComparesWithABaseline) {
     expect_refused(batch(folder, {"job.json", "--max-flip", "0.1"}), 2, "--baseline");
 }
 
+/// The numbers of a .npy of 32-bit floats.
+std::vector<float> npy_of(const fs::path& file) {
+    const std::string text = text_of(file);
+    const auto low = static_cast<unsigned char>(text[8]);
+    const auto high = static_cast<unsigned char>(text[9]);
+    const std::size_t start = 10 + low + 256U * high;
+    std::vector<float> out((text.size() - start) / sizeof(float));
+    std::memcpy(out.data(), text.data() + start, out.size() * sizeof(float));
+    return out;
+}
+
+/// Largest distance in metres between `position` and what depth and camera make of each pixel.
+double reprojection_error(const json& frame, const std::vector<float>& depth,
+                          const std::vector<float>& position) {
+    double worst = 0.0;
+    const std::size_t width = frame["w"];
+    const json& matrix = frame["transform_matrix"];
+    for (std::size_t i = 0; i < depth.size(); ++i) {
+        if (!std::isfinite(depth[i])) continue;
+        const double d = static_cast<double>(depth[i]);
+        const double x = static_cast<double>(i % width) + 0.5 - frame["cx"].get<double>();
+        const double y = static_cast<double>(i / width) + 0.5 - frame["cy"].get<double>();
+        const std::array<double, 4> p{x / frame["fl_x"].get<double>() * d,
+                                      -y / frame["fl_y"].get<double>() * d, -d, 1.0};
+        for (std::size_t row = 0; row < 3; ++row) {
+            double world = 0.0;
+            for (std::size_t k = 0; k < 4; ++k) world += matrix[row][k].get<double>() * p[k];
+            worst = std::max(worst, std::fabs(world - static_cast<double>(position[i * 3 + row])));
+        }
+    }
+    return worst;
+}
+
 TEST(Batch, MakesADataSet) {
     const TemporaryFolder folder;
     folder.write("job.json", R"({"facet": 1, "output": "set/images/{camera}.exr", "data_set": "set",
         "items": [{"scene": "builtin:spheres", "size": "48x32", "samples": 1, "camera": {"sphere": 5, "elevation": [5, 60]},
-                   "aov": ["depth", "normal", "object_id"], "aov_format": "npy"}]})");
+                   "aov": ["depth", "position", "object_id"], "aov_format": "npy"}]})");
     const Ran ran = batch(folder, {"job.json", "-q"});
     ASSERT_EQ(ran.exit, 0) << ran.err;
     const auto manifest = lines_of(text_of(folder / "set/manifest.jsonl"));
@@ -267,16 +302,19 @@ TEST(Batch, MakesADataSet) {
     EXPECT_EQ(manifest[2]["aovs"]["depth"], "images/2.depth.npy");
     const json transforms = json::parse(text_of(folder / "set/transforms.json"));
     ASSERT_EQ(transforms["frames"].size(), 5U);
-    const json& frame = transforms["frames"][0];
-    EXPECT_EQ(frame["w"], 48);
-    EXPECT_DOUBLE_EQ(frame["cx"].get<double>(), 24.0);
-    EXPECT_NEAR(frame["camera_angle_x"].get<double>(),
-                2.0 * std::atan(24.0 / frame["fl_x"].get<double>()), 1e-12);
-    EXPECT_EQ(frame["transform_matrix"][3], json::array({0.0, 0.0, 0.0, 1.0}));
+    for (std::size_t i = 0; i < 5; ++i) {
+        const json& frame = transforms["frames"][i];
+        const std::string stem = "set/images/" + std::to_string(i);
+        EXPECT_NEAR(frame["camera_angle_x"].get<double>(),
+                    2.0 * std::atan(24.0 / frame["fl_x"].get<double>()), 1e-12);
+        // The scene is 6 m wide; floats of that size are 5e-7 apart.
+        EXPECT_LT(reprojection_error(frame, npy_of(folder / (stem + ".depth.npy")),
+                                     npy_of(folder / (stem + ".position.npy"))),
+                  1e-4);
+    }
     const json names = json::parse(text_of(folder / "set/names.json"));
     EXPECT_FALSE(names["builtin:spheres"]["object_id"].empty());
     const std::string depth = text_of(folder / "set/images/2.depth.npy");
-    EXPECT_EQ(depth.substr(1, 5), "NUMPY");
     EXPECT_NE(depth.find("'descr': '<f4', 'fortran_order': False, 'shape': (32, 48), }"),
               std::string::npos);
     EXPECT_NE(text_of(folder / "set/images/2.object_id.npy").find("'<u4'"), std::string::npos);
