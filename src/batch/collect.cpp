@@ -3,6 +3,7 @@
 #include "batch/collect.h"
 
 #include "base/file.h"
+#include "batch/input_hash.h"
 
 #include <numeric>
 #include <unordered_map>
@@ -25,10 +26,14 @@ base::Result<std::vector<Json>> collect(const Job& job, const std::vector<std::s
         known = std::move(record);
     });
     if (!read) return tl::unexpected(read.error());
+    InputHashes hashes(limits);
     for (std::size_t i = 0; i < items.size(); ++i) {
-        const bool stands =
-            !records[i].is_done || !check_outputs || holds(job, records[i], records[i].input);
-        if (stands) out[i] = std::move(records[i].json);
+        const auto stands = [&] {
+            if (!records[i].is_done || !check_outputs) return true;
+            const auto item = job.item(items[i]);
+            return item && holds(job, records[i], hashes.of(job, *item));
+        };
+        if (stands()) out[i] = std::move(records[i].json);
     }
     return out;
 }

@@ -8,8 +8,9 @@
 
 namespace facet::batch {
 
-/// The last result of each of `items`, in their order; null where there is none, and, where its
-/// output is to be checked, where that is not there as it was written. Errors: as read_results().
+/// The last result of each of `items`, in their order; null where there is none. With
+/// `check_outputs` null also where the output is not as it was written, or the job or its inputs
+/// changed since. Errors: as read_results().
 [[nodiscard]] base::Result<std::vector<Json>> collect(const Job& job,
                                                       const std::vector<std::size_t>& items,
                                                       const Shard& shard, bool check_outputs,
@@ -18,7 +19,7 @@ namespace facet::batch {
 struct Merged {
     std::size_t total = 0;
     std::size_t done = 0;
-    std::vector<std::size_t> missing;  ///< never rendered, or the output is gone or another
+    std::vector<std::size_t> missing;  ///< never rendered, or not as the job has it now
     std::vector<Json> failed;
     std::filesystem::path file;  ///< all results, one an item in the job's order
 };

@@ -46,7 +46,6 @@ const std::string& InputHashes::of_file(const std::string& path) {
 
 std::string InputHashes::of(const Job& job, const Item& item) {
     base::Sha256 hash;
-    hash.add_text(program_);
     hash.add_text(of_scene(item));
     hash.add_text(of_file(item.settings.env));
     hash.add_text(item.output.extension().string());

@@ -13,11 +13,9 @@ namespace facet::batch {
 /// Hashes of inputs; every file is read once in its life.
 class InputHashes {
 public:
-    /// `program`: another text for another version of the program.
-    InputHashes(std::string program, base::Limits limits)
-        : program_(std::move(program)), limits_(limits) {}
+    explicit InputHashes(base::Limits limits) : limits_(limits) {}
 
-    /// SHA-256 of the program's version, the item's settings and sequence, and the contents of its
+    /// SHA-256 of the item's settings and sequence, and of the contents of its
     /// scene, environment, textures and presets. A file that cannot be read counts as that.
     [[nodiscard]] std::string of(const Job& job, const Item& item);
 
@@ -25,7 +23,6 @@ private:
     const std::string& of_scene(const Item& item);
     const std::string& of_file(const std::string& path);
 
-    std::string program_;
     base::Limits limits_;
     std::unordered_map<std::string, std::string> known_;
 };

@@ -56,7 +56,8 @@ Json to_json(const ItemResult& r) {
                    {"peak_rss", r.peak_rss},
                    {"attempts", r.attempts},
                    {"exposure", r.exposure},
-                   {"input", r.input}};
+                   {"input", r.input},
+                   {"program", r.program}};
     for (const auto& [key, label] : r.varied) object["varied"][key] = label;
     if (!r.sides.empty()) object["sides"] = r.sides;
     for (const base::Warning& warning : r.warnings)
@@ -80,6 +81,7 @@ base::Result<Record> parse_record(std::string_view line, const base::Limits& lim
                   .output = text_at(*json, "output"),
                   .sha256 = text_at(*json, "sha256"),
                   .input = text_at(*json, "input"),
+                  .program = text_at(*json, "program"),
                   .is_done = text_at(*json, "status") == "done"};
     if (const auto sides = json->find("sides"); sides != json->end() && sides->is_array())
         for (const Json& side : *sides)

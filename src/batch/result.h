@@ -24,10 +24,11 @@ struct Shot {
 
 struct ItemResult {
     std::size_t item = 0;
-    std::string output;                ///< relative to the job's folder where it lies in it
-    std::string scene;                 ///< likewise
-    std::string sha256;                ///< of the output; empty where there is none
-    std::string input;                 ///< hash of all that the picture depends on
+    std::string output;   ///< relative to the job's folder where it lies in it
+    std::string scene;    ///< likewise
+    std::string sha256;   ///< of the output; empty where there is none
+    std::string input;    ///< hash of all that the picture depends on, beside the program
+    std::string program;  ///< its version and build
     std::optional<base::Error> error;  ///< none: done
     std::vector<std::string> sides;    ///< AOVs in files of their own, as `output`
     render::Times ms;
@@ -51,6 +52,7 @@ struct Record {
     std::string output;
     std::string sha256;
     std::string input;
+    std::string program;
     bool is_done = false;
     std::vector<std::string> sides;
     Json json;  ///< the whole line

@@ -30,12 +30,13 @@ base::Result<std::vector<std::size_t>> items_left(const Job& job, const RunOptio
     const auto done = read_done(job, options.shard, options.limits);
     if (!done) return tl::unexpected(done.error());
     if (done->empty()) return items;
-    InputHashes hashes(options.program, options.limits);
+    InputHashes hashes(options.limits);
     std::erase_if(items, [&](std::size_t index) {
         const auto record = done->find(recorded_path(job, job.output_of(index)));
         if (record == done->end()) return false;
         const auto item = job.item(index);
-        return item && holds(job, record->second, hashes.of(job, *item));
+        return item && record->second.program == options.program &&
+               holds(job, record->second, hashes.of(job, *item));
     });
     return items;
 }

@@ -179,13 +179,13 @@ public:
         : in_(in),
           log_(in.level),
           pool_(in.thread_count),
-          hashes_(in.program, in.limits),
+          hashes_(in.limits),
           renderer_({.job = in.job, .pool = pool_, .log = log_, .asset_bytes = in.asset_bytes}),
           reports_(results),
           writer_(in.job, reports_) {}
 
     void render(std::size_t index, const std::deque<std::size_t>& next) {
-        ItemResult result{.item = index};
+        ItemResult result{.item = index, .program = in_.program};
         try {
             const auto item = in_.job.item(index);
             if (!item) return fail(result, item.error());

@@ -13,7 +13,7 @@ namespace facet::batch {
 
 struct WorkerInputs {
     const Job& job;
-    std::string program;  ///< for input hashes
+    std::string program;  ///< its version, for results
     unsigned thread_count = 1;
     std::size_t asset_bytes = 0;
     base::Limits limits;
