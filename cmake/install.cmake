@@ -26,6 +26,8 @@ if(TARGET facet)
   endforeach()
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/glsl ${PROJECT_SOURCE_DIR}/resources
           DESTINATION ${CMAKE_INSTALL_DATADIR}/facet)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/scripts/slurm ${PROJECT_SOURCE_DIR}/scripts/k8s
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/facet/scripts USE_SOURCE_PERMISSIONS)
 
   # The program itself knows its commands and options, and writes what others read about them.
   set(pages ${PROJECT_BINARY_DIR}/pages)

@@ -114,6 +114,7 @@ int Crew::stop(Hand& hand) {
     close_end(hand.results);
     hand.pid = -1;
     hand.text.clear();
+    hand.is_alone = false;
     return status;
 }
 

@@ -29,6 +29,7 @@ struct Hand {
     std::deque<std::size_t> in_flight;  ///< given and not heard of, oldest first
     Clock::time_point oldest_since;     ///< when the oldest of them became that
     std::size_t queue = 0;              ///< of the scheduler's queues; 0: none
+    bool is_alone = false;              ///< its one item is to have nothing beside it
 
     [[nodiscard]] bool is_running() const { return pid > 0; }
 };

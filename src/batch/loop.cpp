@@ -77,12 +77,12 @@ private:
     base::Status give_out() {
         for (Hand& hand : crew_.hands()) {
             // A suspect goes alone: whatever happens then is its own doing.
-            if (is_alone(hand)) continue;
+            if (hand.is_alone) continue;
             if (!suspects_.empty() && hand.in_flight.empty()) {
                 const std::size_t item = suspects_.front();
                 suspects_.pop_front();
-                alone_ = item;
                 if (auto given = crew_.give(hand, item); !given) return given;
+                hand.is_alone = true;
                 continue;
             }
             while (hand.in_flight.size() < most_in_flight) {
@@ -92,9 +92,6 @@ private:
             }
         }
         return {};
-    }
-    [[nodiscard]] bool is_alone(const Hand& hand) const {
-        return alone_ && hand.in_flight.size() == 1 && hand.in_flight.front() == *alone_;
     }
 
     base::Status listen(const Interrupts& interrupts) {
@@ -122,7 +119,7 @@ private:
         if (place == hand.in_flight.end()) return;
         if (place == hand.in_flight.begin()) hand.oldest_since = Clock::now();
         hand.in_flight.erase(place);
-        if (alone_ == item) alone_.reset();
+        hand.is_alone = false;
         Json json = found->json;
         const int code = json.value("code", 0);
         const unsigned attempts = ++attempts_[item];
@@ -164,7 +161,6 @@ private:
         const std::deque<std::size_t> items = std::exchange(hand.in_flight, {});
         if (items.size() == 1) {
             const std::size_t item = items.front();
-            if (alone_ == item) alone_.reset();
             const bool is_over = outcome_.signal != 0;
             if (++attempts_[item] <= options_.retries || is_over) {
                 if (!is_over) suspects_.push_back(item);
@@ -195,7 +191,6 @@ private:
             std::deque<std::size_t> items = std::exchange(hand.in_flight, {});
             const std::size_t late = items.front();
             items.pop_front();
-            if (alone_ == late) alone_.reset();
             ++attempts_[late];
             fail(late,
                  {.code = ErrorCode::limit_reached,
@@ -231,7 +226,6 @@ private:
     Outcome& outcome_;
     Queues queues_;
     std::deque<std::size_t> suspects_;  ///< to be rendered with nothing beside them
-    std::optional<std::size_t> alone_;
     std::unordered_map<std::size_t, unsigned> attempts_;
     std::vector<Json> ended_;  ///< of the lines that are being recorded
     std::optional<base::Error> fatal_;
