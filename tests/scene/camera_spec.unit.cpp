@@ -110,6 +110,38 @@ TEST(OrbitCamera, StaysFiniteForModelsOfNoExtentAndOfAVastOne) {
             for (int r = 0; r < 4; ++r) EXPECT_TRUE(std::isfinite(clip[c][r])) << side_m;
     }
 }
+/// Distance of an orbit's eye from a long flat box, whose middle is the origin.
+float distance_of(const std::string& spec) {
+    Scene scene = box_scene(1.0F);
+    for (Mesh& mesh : scene.meshes) {
+        for (Vec3& p : mesh.positions_m)
+            p = (p - scene.bounds_m().center()) * Vec3(4.0F, 1.0F, 0.2F);
+        mesh.bounds_m = {};
+        for (const Vec3& p : mesh.positions_m) mesh.bounds_m.add(p);
+    }
+    const Vec3 middle = scene.bounds_m().center();
+    const auto camera = resolve_camera(scene, spec, 0.0F, wide);
+    EXPECT_TRUE(camera) << spec;
+    return camera ? math::length(Vec3(camera->world_from_view[3]) - middle) : 0.0F;
+}
+TEST(OrbitCamera, AFitOfAllAzimuthsKeepsItsDistance) {
+    const float face = distance_of("orbit:azimuth=0,elevation=10");
+    const float edge = distance_of("orbit:azimuth=90,elevation=10");
+    EXPECT_GT(std::fabs(face - edge), 0.2F) << "as it is seen, a long box fits differently";
+    const float turned = distance_of("orbit:azimuth=0,elevation=10,fit=turn");
+    EXPECT_GE(turned, std::max(face, edge));
+    for (const char* azimuth : {"37", "90", "200.5"})
+        EXPECT_NEAR(distance_of("orbit:azimuth=" + std::string(azimuth) + ",elevation=10,fit=turn"),
+                    turned, 1e-5F * turned);
+    EXPECT_GE(distance_of("orbit:elevation=80,fit=sphere"), turned);
+    EXPECT_EQ(error_of("orbit:fit=trun").code, base::ErrorCode::usage);
+}
+TEST(OrbitCamera, TurnsAroundTheModel) {
+    EXPECT_EQ(*turned_orbit("auto", 90.0), "orbit:azimuth=125,elevation=15,fit=turn");
+    EXPECT_EQ(*turned_orbit("orbit:azimuth=300,distance=2,target=0 1 0", 90.0),
+              "orbit:azimuth=30,elevation=15,target=0 1 0,distance=2");
+    EXPECT_FALSE(turned_orbit("hero", 10.0));
+}
 TEST(OrbitCamera, NamesTheNearestKeyOfAMisspeltOne) {
     const base::Error error = error_of("orbit:azimut=3");
     EXPECT_EQ(error.code, base::ErrorCode::usage);
