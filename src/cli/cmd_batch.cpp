@@ -62,7 +62,7 @@ Result<batch::Job> read(const BatchOptions& options, Io& io) {
     if (options.job.empty())
         return base::fail({.code = ErrorCode::usage,
                            .what = "no job given",
-                           .remedy = "facet batch JOB.json; facet help batch"});
+                           .remedy = "facet batch JOB.json; facet help jobs"});
     const auto settings = options.typed.read();
     if (!settings) return tl::unexpected(settings.error());
     batch::JobOptions reading{.settings = *settings};
@@ -256,7 +256,7 @@ Result<Exit> run_batch(const BatchOptions& options, Io& io) {
 void add_batch(Declaration& command) {
     auto options = std::make_shared<BatchOptions>();
     auto& flags = command.flags;
-    flags.push_back({"JOB", &options->job, "", "", "the job file; facet help batch"});
+    flags.push_back({"JOB", &options->job, "", "", "the job file; facet help jobs"});
     flags.push_back({"--dry-run", &options->dry_run, "", "Work",
                      "lists the items as facet render commands, and renders nothing"});
     flags.push_back({"--schema", &options->schema, "", "Work",

