@@ -74,6 +74,12 @@ private:
                                    [](const Hand& hand) { return !hand.in_flight.empty(); });
     }
 
+    /// Towards the end nobody takes what another could begin at once.
+    [[nodiscard]] std::size_t most_ahead() {
+        const std::size_t share = queues_.size() / crew_.hands().size();
+        return std::clamp<std::size_t>(share, 1, most_in_flight);
+    }
+
     base::Status give_out() {
         for (Hand& hand : crew_.hands()) {
             // A suspect goes alone: whatever happens then is its own doing.
@@ -85,7 +91,7 @@ private:
                 hand.is_alone = true;
                 continue;
             }
-            while (hand.in_flight.size() < most_in_flight) {
+            while (hand.in_flight.size() < most_ahead()) {
                 const auto item = queues_.next(hand.queue);
                 if (!item) break;
                 if (auto given = crew_.give(hand, *item); !given) return given;

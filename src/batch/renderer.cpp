@@ -58,8 +58,8 @@ void Renderer::prepare(const Item& item) {
 
 base::Status Renderer::show(const render::Request& request, const render::Plan& plan,
                             render::Rendered& out) {
-    if (loading_ && loading_->scene == request.scene) loading_.reset();  // waits
     render::Stopwatch watch;
+    if (loading_ && loading_->scene == request.scene) loading_.reset();  // waits
     const std::string key = scene_key(request.scene, request.settings);
     base::Warnings baking;
     if (key == shown_) {
