@@ -164,6 +164,7 @@ private:
     /// A worker is gone: whoever was alone with it was its end, of several anyone may have been.
     void bury(Hand& hand, std::vector<std::string>& lines) {
         const int status = crew_.stop(hand);
+        ++outcome_.deaths;
         const std::deque<std::size_t> items = std::exchange(hand.in_flight, {});
         if (items.size() == 1) {
             const std::size_t item = items.front();
@@ -194,6 +195,7 @@ private:
                 Seconds(Clock::now() - hand.oldest_since).count() < options_.item_timeout_s)
                 continue;
             crew_.stop(hand);
+            ++outcome_.deaths;
             std::deque<std::size_t> items = std::exchange(hand.in_flight, {});
             const std::size_t late = items.front();
             items.pop_front();

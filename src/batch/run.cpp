@@ -64,8 +64,10 @@ base::Result<Outcome> run(const Job& job, const RunOptions& options) {
     if (!items) return tl::unexpected(items.error());
     auto results = ResultsFile::open(job, options.shard, options.restart);
     if (!results) return tl::unexpected(results.error());
-    remove_leftovers(job, *items);
-    outcome.total = items_of(job, options.shard).size();
+    // Of all items: one that was killed between naming and renaming may have been done since.
+    const std::vector<std::size_t> all = items_of(job, options.shard);
+    remove_leftovers(job, all);
+    outcome.total = all.size();
     outcome.skipped = outcome.total - items->size();
     const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
     std::size_t jobs = options.jobs > 0 ? options.jobs : cores;
@@ -85,6 +87,7 @@ base::Result<Outcome> run(const Job& job, const RunOptions& options) {
                               .level = options.level};
     if (auto s = render_items({job, options, *items, worker}, *results, outcome); !s)
         return tl::unexpected(s.error());
+    if (outcome.deaths > 0) remove_leftovers(job, all);
     outcome.seconds = Seconds(Clock::now() - start).count();
     return outcome;
 }

@@ -36,6 +36,7 @@ struct Outcome {
     std::size_t done = 0;     ///< by this run
     std::size_t skipped = 0;  ///< done before
     std::size_t failed = 0;
+    std::size_t deaths = 0;  ///< of workers
     std::size_t workers = 0;
     double seconds = 0.0;
     int signal = 0;  ///< that ended it early

@@ -6,6 +6,7 @@
 #include "batch/collect.h"
 #include "batch/input_hash.h"
 #include "batch/job_file.h"
+#include "batch/leftovers.h"
 #include "batch/lock.h"
 #include "batch/queues.h"
 #include "support/temporary_folder.h"
@@ -13,6 +14,8 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
+#include <set>
 
 namespace facet::batch {
 namespace {
@@ -132,6 +135,24 @@ TEST(InputHash, ChangesWithEverythingThatThePictureDependsOn) {
     const Job threads =
         job_in(folder, R"("scene": "builtin:ball", "env": ["studio", "sky"], "threads": 1)");
     EXPECT_EQ(hash(0), InputHashes({}).of(threads, *threads.item(0)));
+}
+
+TEST(Leftovers, OfProcessesThatAreGoneAreRemoved) {
+    const TemporaryFolder folder;
+    const Job job = job_in(folder);
+    const pid_t gone = ::fork();
+    if (gone == 0) std::_Exit(0);
+    ::waitpid(gone, nullptr, 0);
+    const std::string dead = "." + std::to_string(gone) + ".tmp";
+    const std::string alive = "." + std::to_string(::getpid()) + ".tmp";
+    for (const std::string& name : {".1.png" + dead, ".1.depth.npy" + dead, ".1.png" + alive,
+                                    ".other.png" + dead, std::string("1.png")})
+        folder.write("out/" + name, "x");
+    remove_leftovers(job, items_of(job, {}));
+    std::set<std::string> left;
+    for (const auto& entry : std::filesystem::directory_iterator(folder / "out"))
+        left.insert(entry.path().filename().string());
+    EXPECT_EQ(left, (std::set<std::string>{".1.png" + alive, ".other.png" + dead, "1.png"}));
 }
 
 TEST(Lock, KeepsRunsOfOneShardApart) {
