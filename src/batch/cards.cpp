@@ -46,7 +46,7 @@ Image eight_bits(Image picture) {
     return image::to_rgba8(std::move(picture));
 }
 
-Thumbnail thumbnail(Image picture, std::uint32_t side_px) {
+std::string thumbnail(Image picture, std::uint32_t side_px) {
     const auto levels = image::build_mips(eight_bits(std::move(picture)), true);
     const auto fits = [&](const Image& level) {
         return std::max(level.size.width, level.size.height) <= side_px;
@@ -56,7 +56,7 @@ Thumbnail thumbnail(Image picture, std::uint32_t side_px) {
     const auto bytes = image::encode(small, {.format = tables::ImageFormat::webp, .metadata = {}});
     if (!bytes) return {};
     const std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
-    return {small.size, "data:image/webp;base64," + base::base64(text)};
+    return "data:image/webp;base64," + base::base64(text);
 }
 
 void compare(const Job& job, const CardOptions& options, const image::Picture& picture,

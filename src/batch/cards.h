@@ -5,8 +5,8 @@
 #include "base/progress.h"
 #include "base/thread_pool.h"
 #include "batch/job.h"
-#include "image/image.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -14,18 +14,13 @@
 
 namespace facet::batch {
 
-/// A picture for a page, as a data URI; empty where there is none.
-struct Thumbnail {
-    math::Extent size;
-    std::string data_uri;
-};
-
 struct Card {
     std::size_t item = 0;
     Json result;  ///< null: never rendered
-    Thumbnail picture;
-    Thumbnail baseline;
-    Thumbnail heat;                 ///< where the two differ
+    // Pictures for a page, as data URIs; empty where there is none.
+    std::string picture;
+    std::string baseline;
+    std::string heat;               ///< where the two differ
     std::optional<double> flip;     ///< mean, against the baseline
     std::filesystem::path earlier;  ///< the baseline's file, where there is one
     std::string problem;            ///< why there is no picture, or no comparison

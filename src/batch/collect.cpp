@@ -21,9 +21,8 @@ base::Result<std::vector<Json>> collect(const Job& job, const std::vector<std::s
     auto read = read_results(job, shard, limits, [&](Record record) {
         const auto place = places.find(record.output);
         if (place == places.end()) return;
-        Record& known = records[place->second];
         record.json["item"] = items[place->second];  // the job may have been edited since
-        known = std::move(record);
+        records[place->second] = std::move(record);
     });
     if (!read) return tl::unexpected(read.error());
     InputHashes hashes(limits);
@@ -51,7 +50,7 @@ base::Result<Merged> merge(const Job& job, const base::Limits& limits) {
             merged.missing.push_back(i);
             continue;
         }
-        text += record.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
+        text += text_of(record) + '\n';
         if (record.value("status", "") == "done")
             ++merged.done;
         else

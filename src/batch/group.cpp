@@ -25,7 +25,7 @@ tl::unexpected<base::Error> invalid(std::string what, std::string found, std::st
 
 std::string brief(const Json& value) {
     if (value.is_string()) return value.get<std::string>();
-    return value.dump(-1, ' ', false, Json::error_handler_t::replace);
+    return text_of(value);
 }
 
 /// The key of a flag, as "env_rotation" of "--env-rotation".

@@ -4,7 +4,7 @@
 
 #include "base/file.h"
 #include "base/hash.h"
-#include "scene/load.h"
+#include "render/job.h"
 #include "tables/settings_text.h"
 
 namespace facet::batch {
@@ -26,9 +26,7 @@ std::string value_of(const std::string& assignment) {
 const std::string& InputHashes::of_scene(const Item& item) {
     const auto [known, is_new] = known_.try_emplace("scene " + item.scene);
     if (is_new) {
-        scene::LoadOptions options;
-        const auto& allowed = item.settings.allow_read;
-        options.allowed_folders.assign(allowed.begin(), allowed.end());
+        const auto options = render::load_options(item.settings);
         known->second = scene::content_hash(item.scene, options, limits_).value_or("missing");
     }
     return known->second;

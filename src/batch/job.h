@@ -20,6 +20,11 @@ namespace facet::batch {
 
 using Json = nlohmann::ordered_json;
 
+/// One line, whatever stands in its texts.
+[[nodiscard]] inline std::string text_of(const Json& json) {
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
 /// What a value of an axis sets.
 enum class AxisKind { scene, setting, path, frame };
 

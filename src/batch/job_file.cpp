@@ -56,15 +56,13 @@ public:
 
 private:
     void refuse(std::string where, std::string what, const Json& found, std::string remedy = {}) {
-        problems_.errors.push_back(
-            {.code = ErrorCode::input_invalid,
-             .where = std::move(where),
-             .what = std::move(what),
-             .found = found.is_null() ? ""
-                      : found.is_string()
-                          ? found.get<std::string>()
-                          : found.dump(-1, ' ', false, Json::error_handler_t::replace),
-             .remedy = std::move(remedy)});
+        problems_.errors.push_back({.code = ErrorCode::input_invalid,
+                                    .where = std::move(where),
+                                    .what = std::move(what),
+                                    .found = found.is_null()     ? ""
+                                             : found.is_string() ? found.get<std::string>()
+                                                                 : text_of(found),
+                                    .remedy = std::move(remedy)});
     }
 
     const Json* find(const Json& root, const char* key, bool (Json::*is)() const,

@@ -20,16 +20,12 @@ namespace {
 constexpr double most_values = 1e6;  // of one list that is written out
 constexpr double golden_angle_deg = 180.0 * (3.0 - 2.23606797749978969641);
 
-std::string dump(const Json& value) {
-    return value.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
-
 tl::unexpected<base::Error> refuse(std::string where, std::string what, const Json& found,
                                    std::string remedy = {}) {
     return base::fail({.code = base::ErrorCode::input_invalid,
                        .where = std::move(where),
                        .what = std::move(what),
-                       .found = dump(found),
+                       .found = text_of(found),
                        .remedy = std::move(remedy)});
 }
 
@@ -226,7 +222,7 @@ std::string label_of(AxisKind kind, std::string_view key, const Json& value) {
         return kind == AxisKind::scene ? scene::stem_of(text) : text;
     }
     if (value.is_number_float()) return fmt::format("{}", value.get<double>());
-    if (!value.is_array()) return dump(value);
+    if (!value.is_array()) return text_of(value);
     std::string out;
     for (const Json& part : value) {
         if (!out.empty()) out += key == "size" ? "x" : " ";

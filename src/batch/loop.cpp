@@ -146,7 +146,7 @@ private:
 
     void finish(Json json, bool is_done, std::vector<std::string>& lines) {
         attempts_.erase(json["item"].get<std::size_t>());
-        lines.push_back(json.dump(-1, ' ', false, Json::error_handler_t::replace));
+        lines.push_back(text_of(json));
         ended_.push_back(std::move(json));
         ++(is_done ? outcome_.done : outcome_.failed);
         if (!is_done && options_.fail_fast) abandon();

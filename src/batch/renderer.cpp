@@ -12,13 +12,6 @@
 namespace facet::batch {
 namespace {
 
-scene::LoadOptions load_options(const tables::Settings& settings) {
-    scene::LoadOptions options{.ignored_required = settings.ignore_required,
-                               .strict = settings.strict};
-    options.allowed_folders.assign(settings.allow_read.begin(), settings.allow_read.end());
-    return options;
-}
-
 /// Two pictures of one key differ in settings alone.
 std::string scene_key(const std::string& scene, const tables::Settings& settings) {
     return scene + "\n" + base::join(settings.ignore_required, ",") +
@@ -51,7 +44,7 @@ void Renderer::prepare(const Item& item) {
                                                     scene = item.scene, limits = plan->limits] {
             // On threads of its own: the pool works for the picture.
             base::ThreadPool own(in_.pool.thread_count());
-            static_cast<void>(assets_.scene(scene, load_options(settings), limits, own));
+            static_cast<void>(assets_.scene(scene, render::load_options(settings), limits, own));
             static_cast<void>(assets_.environment(settings.env, limits, own));
         })};
 }
@@ -63,8 +56,8 @@ base::Status Renderer::show(const render::Request& request, const render::Plan& 
     const std::string key = scene_key(request.scene, request.settings);
     base::Warnings baking;
     if (key == shown_) {
-        const auto shared =
-            assets_.scene(request.scene, load_options(request.settings), plan.limits, in_.pool);
+        const auto shared = assets_.scene(request.scene, render::load_options(request.settings),
+                                          plan.limits, in_.pool);
         if (!shared) return tl::unexpected(shared.error());
         const auto environment = assets_.environment(request.settings.env, plan.limits, in_.pool);
         if (!environment) return tl::unexpected(base::in_file(environment.error(), "--env"));

@@ -52,14 +52,13 @@ double total_ms(const Json& result) {
 /// JSON that can stand in a script element.
 std::string script_safe(const Json& json) {
     std::string out;
-    for (const char c : json.dump(-1, ' ', false, Json::error_handler_t::replace))
-        out += c == '<' ? std::string("\\u003c") : std::string(1, c);
+    for (const char c : text_of(json)) out += c == '<' ? std::string("\\u003c") : std::string(1, c);
     return out;
 }
 
 std::string status_of(const Card& card, const ReportOptions& options) {
     if (card.result.is_null()) return "missing";
-    if (card.result.value("status", "") != "done" || card.picture.data_uri.empty()) return "failed";
+    if (card.result.value("status", "") != "done" || card.picture.empty()) return "failed";
     if (!options.has_baseline) return "done";
     if (!card.flip) return "new";
     return *card.flip > options.max_flip ? "changed" : "same";
@@ -76,9 +75,9 @@ Json detail_of(const Job& job, const Card& card, const ReportOptions& options) {
         {"shown", is_shown(output)},
         {"baseline_link", card.earlier.empty() ? "" : link_to(card.earlier, options.file)},
         {"problem", card.problem},
-        {"picture", card.picture.data_uri},
-        {"baseline", card.baseline.data_uri},
-        {"heat", card.heat.data_uri},
+        {"picture", card.picture},
+        {"baseline", card.baseline},
+        {"heat", card.heat},
         {"flip", card.flip ? Json(*card.flip) : Json(nullptr)},
         {"result", card.result}};
     if (const auto item = job.item(card.item))

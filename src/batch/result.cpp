@@ -66,9 +66,7 @@ Json to_json(const ItemResult& r) {
     return object;
 }
 
-std::string to_line(const ItemResult& result) {
-    return to_json(result).dump(-1, ' ', false, Json::error_handler_t::replace);
-}
+std::string to_line(const ItemResult& result) { return text_of(to_json(result)); }
 
 base::Result<Record> parse_record(std::string_view line, const base::Limits& limits) {
     auto json = base::parse_json<Json>(line, limits);

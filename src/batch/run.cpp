@@ -23,9 +23,9 @@ using Seconds = std::chrono::duration<double>;
 constexpr std::size_t most_jobs = 256;
 constexpr std::size_t asset_bytes = std::size_t{48} << 20U;  // of a worker's 400 MB
 
-/// Of the shard's items those that are still to be rendered.
-base::Result<std::vector<std::size_t>> items_left(const Job& job, const RunOptions& options) {
-    std::vector<std::size_t> items = items_of(job, options.shard);
+/// Of `items` those that are still to be rendered.
+base::Result<std::vector<std::size_t>> items_left(const Job& job, std::vector<std::size_t> items,
+                                                  const RunOptions& options) {
     if (options.restart) return items;
     const auto done = read_done(job, options.shard, options.limits);
     if (!done) return tl::unexpected(done.error());
@@ -60,12 +60,12 @@ base::Result<Outcome> run(const Job& job, const RunOptions& options) {
     const auto lock =
         ShardLock::take(state_folder(job), options.shard, options.patience, outcome.warnings);
     if (!lock) return tl::unexpected(lock.error());
-    const auto items = items_left(job, options);
+    const std::vector<std::size_t> all = items_of(job, options.shard);
+    const auto items = items_left(job, all, options);
     if (!items) return tl::unexpected(items.error());
     auto results = ResultsFile::open(job, options.shard, options.restart);
     if (!results) return tl::unexpected(results.error());
     // Of all items: one that was killed between naming and renaming may have been done since.
-    const std::vector<std::size_t> all = items_of(job, options.shard);
     remove_leftovers(job, all);
     outcome.total = all.size();
     outcome.skipped = outcome.total - items->size();

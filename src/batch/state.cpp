@@ -37,12 +37,11 @@ tl::unexpected<base::Error> cannot_write(const fs::path& path) {
 }
 
 std::string header_of(const Job& job, const Shard& shard) {
-    return Json{{"facet", 1},
-                {"job", job.file.filename().string()},
-                {"hash", job.text_hash},
-                {"shard", shard.index},
-                {"of", shard.count}}
-        .dump(-1, ' ', false, Json::error_handler_t::replace);
+    return text_of({{"facet", 1},
+                    {"job", job.file.filename().string()},
+                    {"hash", job.text_hash},
+                    {"shard", shard.index},
+                    {"of", shard.count}});
 }
 
 tl::unexpected<base::Error> mismatch(const fs::path& file, std::size_t line, std::string what,

@@ -17,10 +17,7 @@ namespace {
 base::Result<scene::Loaded> load_scene(const Request& request, const Plan& plan,
                                        base::ThreadPool& pool, Assets* assets) {
     const tables::Settings& settings = request.settings;
-    scene::LoadOptions options{.ignored_required = settings.ignore_required,
-                               .strict = settings.strict};
-    options.allowed_folders.assign(settings.allow_read.begin(), settings.allow_read.end());
-    if (!settings.base.empty()) options.base_folder = settings.base;
+    const scene::LoadOptions options = load_options(settings);
     if (assets != nullptr) {
         const auto shared = assets->scene(request.scene, options, plan.limits, pool);
         if (!shared) return tl::unexpected(shared.error());
@@ -62,6 +59,14 @@ base::Status edit(const tables::Settings& settings, const Plan& plan, scene::Sce
 }
 
 }  // namespace
+
+scene::LoadOptions load_options(const tables::Settings& settings) {
+    scene::LoadOptions options{.ignored_required = settings.ignore_required,
+                               .strict = settings.strict};
+    options.allowed_folders.assign(settings.allow_read.begin(), settings.allow_read.end());
+    if (!settings.base.empty()) options.base_folder = settings.base;
+    return options;
+}
 
 base::Status apply_edits(const tables::Settings& settings, const Plan& plan, Job& job) {
     scene::Scene& scene = job.scene;

@@ -34,6 +34,9 @@ struct Job {
     std::vector<std::filesystem::path> reads;
 };
 
+/// How the settings say that a scene is loaded.
+[[nodiscard]] scene::LoadOptions load_options(const tables::Settings& settings);
+
 /// Loads, applies --no-file-lights, --light and --set, and resolves the camera. `assets`: where
 /// files are looked for that are read already; may be null.
 [[nodiscard]] base::Result<Job> load_job(const Request& request, const Plan& plan,

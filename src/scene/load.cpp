@@ -31,6 +31,19 @@ fs::path folder_of(const fs::path& path) {
     return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
+/// A scene's own file, read.
+struct MainFile {
+    fs::path path;
+    base::Bytes bytes;
+};
+base::Result<MainFile> read_main(const std::string& name, const base::Limits& limits) {
+    auto path = path_of(name);
+    if (!path) return tl::unexpected(path.error());
+    auto bytes = base::read_file(*path, limits.file_bytes);
+    if (!bytes) return base::fail(base::in_file(bytes.error(), name));
+    return MainFile{std::move(*path), std::move(*bytes)};
+}
+
 gltf::Origin origin_of(const std::string& label, std::optional<fs::path> folder,
                        const LoadOptions& options) {
     return {
@@ -78,15 +91,14 @@ std::vector<std::string> builtin_scene_names() {
 
 base::Result<Loaded> load(const std::string& name, const LoadOptions& options,
                           const base::Limits& limits, base::ThreadPool& pool) {
-    const auto path = path_of(name);
-    if (!path) return tl::unexpected(path.error());
-    auto file = base::read_file(*path, limits.file_bytes);
-    if (!file) return base::fail(base::in_file(file.error(), name));
-    auto loaded = gltf::import_bytes(std::move(*file), origin_of(name, folder_of(*path), options),
-                                     options, limits, pool);
+    auto file = read_main(name, limits);
+    if (!file) return tl::unexpected(file.error());
+    auto loaded =
+        gltf::import_bytes(std::move(file->bytes), origin_of(name, folder_of(file->path), options),
+                           options, limits, pool);
     if (!loaded) return loaded;
-    loaded->reads.insert(loaded->reads.begin(), *path);
-    if (loaded->scene.name.empty()) loaded->scene.name = path->stem().string();
+    loaded->reads.insert(loaded->reads.begin(), file->path);
+    if (loaded->scene.name.empty()) loaded->scene.name = file->path.stem().string();
     return loaded;
 }
 
@@ -100,20 +112,18 @@ base::Result<Loaded> load_bytes(std::span<const std::byte> bytes, const std::str
 
 base::Result<std::string> content_hash(const std::string& name, const LoadOptions& options,
                                        const base::Limits& limits) {
-    const auto path = path_of(name);
-    if (!path) return tl::unexpected(path.error());
-    auto file = base::read_file(*path, limits.file_bytes);
-    if (!file) return base::fail(base::in_file(file.error(), name));
-    return gltf::content_hash(std::move(*file), origin_of(name, folder_of(*path), options), limits);
+    auto file = read_main(name, limits);
+    if (!file) return tl::unexpected(file.error());
+    return gltf::content_hash(std::move(file->bytes),
+                              origin_of(name, folder_of(file->path), options), limits);
 }
 
 base::Result<std::vector<Finding>> check(const std::string& name, const LoadOptions& options,
                                          const base::Limits& limits) {
-    const auto path = path_of(name);
-    if (!path) return tl::unexpected(path.error());
-    auto file = base::read_file(*path, limits.file_bytes);
-    if (!file) return base::fail(base::in_file(file.error(), name));
-    return gltf::check_bytes(std::move(*file), origin_of(name, folder_of(*path), options), limits);
+    auto file = read_main(name, limits);
+    if (!file) return tl::unexpected(file.error());
+    return gltf::check_bytes(std::move(file->bytes),
+                             origin_of(name, folder_of(file->path), options), limits);
 }
 
 }  // namespace facet::scene

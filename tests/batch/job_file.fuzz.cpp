@@ -3,10 +3,11 @@
 #include "batch/job_file.h"
 
 #include "batch/result.h"
+#include "support/mutate.h"
 
 #include <gtest/gtest.h>
 
-#include <random>
+#include <string_view>
 
 namespace facet::batch {
 namespace {
@@ -21,41 +22,13 @@ constexpr std::string_view job_seed =
 constexpr std::string_view line_seed =
     R"({"item":3,"output":"a.png","sha256":"00","status":"done","error":null,"sides":["a.depth.npy"],"input":"11"})";
 
-/// Calls `take` with many texts near `text`.
-template <class Take>
-void mutate(std::string_view text, std::uint32_t seed, const Take& take) {
-    std::mt19937 random(seed);
-    constexpr std::string_view signs = "{}[]\"\\:,.-0e9\n*?/~%";
-    for (int round = 0; round < 3000; ++round) {
-        std::string bent(text);
-        for (std::size_t edits = random() % 5 + 1; edits > 0 && !bent.empty(); --edits) {
-            const std::size_t at = random() % bent.size();
-            switch (random() % 5) {
-                case 0:
-                    bent[at] = static_cast<char>(random() & 0xFFU);
-                    break;
-                case 1:
-                    bent.insert(at, 1, signs[random() % signs.size()]);
-                    break;
-                case 2:
-                    bent.erase(at, random() % 12 + 1);
-                    break;
-                case 3:
-                    bent.insert(at, bent.substr(random() % bent.size(), random() % 40));
-                    break;
-                default:
-                    if (random() % 8 == 0) bent.resize(at);
-            }
-        }
-        take(bent);
-    }
-}
+constexpr std::string_view signs = "{}[]\"\\:,.-0e9\n*?/~%";
 
 TEST(JobFiles, AreAJobOrAnError) {
     base::Limits limits;
     limits.json_bytes = 1 << 20;
     std::size_t sound = 0;
-    mutate(job_seed, 3, [&](const std::string& text) {
+    support::mutate(job_seed, signs, 3, [&](const std::string& text) {
         JobProblems problems;
         const auto job =
             parse_job(text, "/nowhere/job.json", {.settings = {}, .limits = limits}, problems);
@@ -70,7 +43,7 @@ TEST(JobFiles, AreAJobOrAnError) {
 }
 
 TEST(ResultLines, AreARecordOrAnError) {
-    mutate(line_seed, 4, [](const std::string& text) {
+    support::mutate(line_seed, signs, 4, [](const std::string& text) {
         const auto record = parse_record(text, {});
         if (!record) {
             EXPECT_FALSE(record.error().what.empty());

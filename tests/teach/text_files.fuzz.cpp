@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include "base/file.h"
 #include "base/resources.h"
+#include "support/mutate.h"
 #include "teach/formula.h"
 #include "teach/lesson.h"
 #include "teach/markdown.h"
 
 #include <gtest/gtest.h>
 
-#include <random>
+#include <string_view>
 
 namespace facet::teach {
 namespace {
@@ -20,39 +21,11 @@ std::string seed(const char* file) {
     return bytes ? std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size()) : "";
 }
 
-/// Calls `take` with many texts near `text`.
-template <class Take>
-void mutate(const std::string& text, std::uint32_t seed_number, const Take& take) {
-    std::mt19937 random(seed_number);
-    constexpr std::string_view signs = "{}[]\"\\$^_&:,.-0e9\n#!()|`<>*";
-    for (int round = 0; round < 3000; ++round) {
-        std::string bent = text;
-        for (std::size_t edits = random() % 6 + 1; edits > 0 && !bent.empty(); --edits) {
-            const std::size_t at = random() % bent.size();
-            switch (random() % 5) {
-                case 0:
-                    bent[at] = static_cast<char>(random() & 0xFFU);
-                    break;
-                case 1:
-                    bent.insert(at, 1, signs[random() % signs.size()]);
-                    break;
-                case 2:
-                    bent.erase(at, random() % 20 + 1);
-                    break;
-                case 3:
-                    bent.insert(at, bent.substr(random() % bent.size(), random() % 60));
-                    break;
-                default:
-                    if (random() % 8 == 0) bent.resize(at);
-            }
-        }
-        take(bent);
-    }
-}
+constexpr std::string_view signs = "{}[]\"\\$^_&:,.-0e9\n#!()|`<>*";
 
 TEST(LessonFiles, JsonIsALessonOrAnError) {
     for (const char* file : {"cook-torrance/lesson.json", "rendering-equation/lesson.json"})
-        mutate(seed(file), 11, [](const std::string& text) {
+        support::mutate(seed(file), signs, 11, [](const std::string& text) {
             Lesson lesson;
             const auto parsed = parse_lesson(text, lesson);
             if (!parsed) {
@@ -63,7 +36,7 @@ TEST(LessonFiles, JsonIsALessonOrAnError) {
 
 TEST(LessonFiles, MarkdownIsHtmlOrAnError) {
     for (const char* file : {"geometry/en.md", "light/ru.md"})
-        mutate(seed(file), 12, [](const std::string& text) {
+        support::mutate(seed(file), signs, 12, [](const std::string& text) {
             const auto html = html_of(
                 text, [](const Figure& f) -> base::Result<std::string> { return f.caption; });
             if (html) {
@@ -79,7 +52,8 @@ TEST(LessonFiles, FormulasAreSetOrAnError) {
         const char* formula :
         {R"(D(n, h, \alpha) = \frac{\alpha^2}{\pi \left((n \cdot h)^2 (\alpha^2 - 1) + 1\right)^2})",
          R"(\begin{aligned} a &= \sqrt[3]{x} \\ b &= \sum_{k=1}^{N} \text{w} \end{aligned})"})
-        mutate(formula, 13, [](const std::string& text) { (void)mathml(text, true); });
+        support::mutate(formula, signs, 13,
+                        [](const std::string& text) { (void)mathml(text, true); });
 }
 
 }  // namespace
