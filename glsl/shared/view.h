@@ -9,8 +9,7 @@ struct View {
     vec4 forward;           // xyz: unit, where the camera looks; w: unused
     vec4 size_px;           // width, height, 1 / width, 1 / height
     uvec4 light_counts;     // directional lights, all lights, tiles across, unused
-    vec4 environment;       // x: last level of the prefiltered cube; yzw: unused
+    vec4 environment;       // x: last level of the prefiltered cube; y: nit of its 1
     vec4 background;        // x: level of the cube that shows; yzw: unused
     vec4 key_light;         // xyz: metres where w is 1, else the unit direction to it
-    vec4 irradiance_sh[9];  // rgb: irradiance / pi by direction, see frame/environment/bake.h
 };

@@ -107,11 +107,9 @@ void Frame::set_view(const gl::Context& gl, const FrameInputs& in,
     const std::uint32_t across = (spec_.region.size.width + tile_px - 1) / tile_px;
     view.light_counts = {in.lights.directional_count, in.lights.count, across, 0U};
     const EnvironmentMaps& e = in.environment;
-    view.environment = {e.last_level, 0.0F, 0.0F, 0.0F};
+    view.environment = {e.last_level, e.unit_nit, 0.0F, 0.0F};
     view.key_light = in.key_light.place;
     view.background.x = in.background.blur * e.last_level;
-    for (std::size_t i = 0; i < e.irradiance_sh.size(); ++i)
-        view.irradiance_sh[i] = math::Vec4(e.irradiance_sh[i], 0.0F);
     gl::update_buffer(gl, view_block_, std::as_bytes(std::span(&view, 1)));
     gl.api().BindBufferBase(GL_UNIFORM_BUFFER, view_binding, view_block_.name());
 }

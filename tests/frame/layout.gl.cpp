@@ -61,7 +61,6 @@ TEST_F(LayoutTest, TheDriverPlacesEveryMemberOfViewWhereTheCompilerDoes) {
           MEMBER(View, environment), MEMBER(View, background), MEMBER(View, key_light)})
         EXPECT_EQ(offset((std::string("view.") + m.name).c_str()), static_cast<GLint>(m.offset))
             << m.name;
-    EXPECT_EQ(offset("view.irradiance_sh[0]"), static_cast<GLint>(offsetof(View, irradiance_sh)));
 }
 
 TEST_F(LayoutTest, TheDriverPlacesEveryMemberOfDrawWhereTheCompilerDoes) {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "frame/environment/bake.h"
-#include "frame/environment/irradiance.h"
+#include "frame/environment/cube_mip.h"
 #include "math/cube_map.h"
 #include "math/half.h"
 
@@ -63,6 +63,26 @@ inline Vec3 reflected(const BakedEnvironment& baked, const Vec3& direction) {
                                         0.9999F);
     };
     return texel(baked, 0, p.face, index(p.t), index(p.s));
+}
+
+/// E(n) / pi as the shader finds it: the last level, filtered across the edges of its faces.
+inline Vec3 irradiance_over_pi(const BakedEnvironment& baked, const Vec3& n) {
+    const std::uint32_t side = baked.face_px >> (baked.radiance.size() - 1);
+    CubeMip mip = make_mip(side);
+    for (std::uint32_t face = 0; face < 6; ++face)
+        for (std::size_t row = 0; row < side; ++row)
+            for (std::size_t column = 0; column < side; ++column) {
+                const Vec3 value = texel(baked, baked.radiance.size() - 1, face, row, column);
+                mip.at(face, row, column) = Lanes{value.x, value.y, value.z, 0.0F};
+            }
+    fill_borders(mip);
+    FourDirections d{};
+    d.x[0] = n.x;
+    d.y[0] = n.y;
+    d.z[0] = n.z;
+    for (std::size_t i = 1; i < 4; ++i) d.y[i] = 1.0F;
+    const Lanes found = mip.sample(d)[0];
+    return Vec3(found[0], found[1], found[2]) * baked.unit_nit;
 }
 
 /// Visits some texels of each level's every face.

@@ -11,7 +11,7 @@ in vec3 direction;
 layout(location = 0) out vec4 out_radiance;
 
 void main() {
-    out_radiance = vec4(textureLod(radiance_cube, direction, view.background.x).rgb, 1.0);
+    out_radiance = vec4(textureLod(radiance_cube, direction, view.background.x).rgb * view.environment.y, 1.0);
 #ifdef FACET_EXPLAIN
     explain_begin(EXPLAIN_BACKGROUND, 0u, 0u);
     explained.to_eye = vec4(-normalize(direction), 0.0);

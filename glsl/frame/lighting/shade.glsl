@@ -49,14 +49,8 @@ void add_emission(vec3 base_color, float unlit, vec3 emissive_nit) {
 }
 #endif
 
-vec3 sh_irradiance(vec3 n) {
-    vec3 e = view.irradiance_sh[0].rgb;
-    e += view.irradiance_sh[1].rgb * n.y + view.irradiance_sh[2].rgb * n.z + view.irradiance_sh[3].rgb * n.x;
-    e += view.irradiance_sh[4].rgb * (n.x * n.y) + view.irradiance_sh[5].rgb * (n.y * n.z);
-    e += view.irradiance_sh[6].rgb * (3.0 * n.z * n.z - 1.0) + view.irradiance_sh[7].rgb * (n.x * n.z);
-    e += view.irradiance_sh[8].rgb * (n.x * n.x - n.y * n.y);
-    return max(e, vec3(0.0));
-}
+// At roughness 1 and n = v = l GGX is even: what that level holds is the cosine's own mean, irradiance over pi.
+vec3 irradiance_over_pi(vec3 n) { return textureLod(radiance_cube, n, view.environment.x).rgb * view.environment.y; }
 
 #ifdef FACET_EXPLAIN
 float explain_distance_m = 0.0;  // to the light at hand; 0: infinitely far
@@ -112,14 +106,14 @@ vec3 shade(ShadePoint p) {
     BrdfValue w = brdf_environment(brdf);
     vec3 mirrored = reflect(-p.to_eye, p.normal);
     float level = p.roughness * view.environment.x;
-    vec3 prefiltered = textureLod(radiance_cube, mirrored, level).rgb;
-    radiance = (w.diffuse * sh_irradiance(p.normal) + w.specular * prefiltered) * p.ao;
+    vec3 prefiltered = textureLod(radiance_cube, mirrored, level).rgb * view.environment.y;
+    radiance = (w.diffuse * irradiance_over_pi(p.normal) + w.specular * prefiltered) * p.ao;
 #ifdef FACET_EXPLAIN
-    explained.irradiance = vec4(sh_irradiance(p.normal), 0.0);
+    explained.irradiance = vec4(irradiance_over_pi(p.normal), 0.0);
     explained.prefiltered = vec4(prefiltered, level);
 #endif
 #if FACET_LIGHT_PATHS
-    paths.diffuse_indirect = w.diffuse * sh_irradiance(p.normal) * p.ao;
+    paths.diffuse_indirect = w.diffuse * irradiance_over_pi(p.normal) * p.ao;
     paths.specular_indirect = w.specular * prefiltered * p.ao;
 #endif
 #endif

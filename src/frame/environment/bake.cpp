@@ -3,7 +3,6 @@
 #include "frame/environment/bake.h"
 
 #include "frame/environment/cube_pyramid.h"
-#include "frame/environment/irradiance.h"
 #include "frame/environment/panorama.h"
 #include "frame/environment/prefilter.h"
 #include "math/half.h"
@@ -12,6 +11,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 namespace facet::frame {
 namespace {
@@ -20,6 +20,33 @@ constexpr std::uint32_t face_min_px = 128;  // five levels: fewer would show bet
 constexpr std::uint32_t face_max_px = 1024;  // 50 MB of half floats
 // At 4 the edge of a half-sphere lobe around a sun shows as steps.
 constexpr std::uint32_t last_level_px = 8;
+
+/// Mean over the sphere and the channels.
+double mean_nit(const image::Image& latlong) {
+    const auto pixels = latlong.as<float>();
+    const std::size_t width = latlong.size.width;
+    double sum = 0.0;
+    double weights = 0.0;
+    for (std::size_t y = 0; y < latlong.size.height; ++y) {
+        const double weight =
+            std::sin((static_cast<double>(y) + 0.5) / latlong.size.height * 3.14159265358979323846);
+        double row = 0.0;
+        for (std::size_t i = y * width * 3; i < (y + 1) * width * 3; ++i)
+            row += static_cast<double>(pixels[i]);
+        sum += weight * row;
+        weights += weight * 3.0 * static_cast<double>(width);
+    }
+    return sum / weights;
+}
+
+/// Irradiance over pi is at most four times the mean; a channel may hold three times the mean of
+/// all.
+float unit_for(const image::Image& latlong, float intensity) {
+    const double most = 12.0 * mean_nit(latlong) * static_cast<double>(intensity);
+    if (!(most > static_cast<double>(math::half_max))) return 1.0F;
+    return static_cast<float>(
+        std::exp2(std::ceil(std::log2(most / static_cast<double>(math::half_max)))));
+}
 
 }  // namespace
 
@@ -30,15 +57,16 @@ BakedEnvironment bake_environment(const image::Image& latlong, float rotation_de
     // 0.6.
     const std::uint32_t wanted = std::clamp(latlong.size.height / 2, face_min_px, face_max_px);
     out.face_px = std::bit_ceil(wanted);
-    const Panorama panorama = make_panorama(latlong, intensity, pool);
-    out.irradiance_sh = irradiance_sh(panorama, rotation_deg);
+    out.unit_nit = unit_for(latlong, intensity);
+    const Panorama panorama = make_panorama(latlong, intensity / out.unit_nit, pool);
     CubePyramid pyramid = make_cube_pyramid(panorama, out.face_px, rotation_deg, pool);
     if (pyramid.overflowed)
-        warnings.push_back({.file = {},
-                            .where = "environment",
-                            .what = "radiance above the largest half float is cut in reflections",
-                            .found = fmt::format("more than {:.0f} nit", math::half_max),
-                            .remedy = "lower --env-intensity"});
+        warnings.push_back(
+            {.file = {},
+             .where = "environment",
+             .what = "radiance above the largest half float is cut in reflections",
+             .found = fmt::format("more than {:.0f} nit", math::half_max * out.unit_nit),
+             .remedy = "lower --env-intensity"});
     const auto levels =
         static_cast<std::uint32_t>(std::countr_zero(out.face_px / last_level_px)) + 1;
     out.radiance = prefilter(pyramid, levels, pool);

@@ -7,22 +7,20 @@
 #include "image/image.h"
 #include "math/vector.h"
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
 namespace facet::frame {
 
-/// Level i of `radiance` is prefiltered for roughness i / (levels - 1); 0 is the picture itself.
+/// Level i of `radiance` is prefiltered for roughness i / (levels - 1); 0 is the picture itself,
+/// the last one irradiance over pi (see lobe.h).
 struct BakedEnvironment {
     std::uint32_t face_px =
         0;  ///< side of a face of level 0; each level has half the side of the one before
     /// Half floats [6, side, side, 4] per level, faces in GL's order +x -x +y -y +z -z, rows as GL
     /// wants them.
     std::vector<std::vector<std::uint16_t>> radiance;
-    /// Irradiance / pi as nine spherical-harmonic coefficients, with the cosine lobe folded in and
-    /// the basis constants too: E(n)/pi = sum of sh[i] * (1, y, z, x, xy, yz, 3z²-1, xz, x²-y²)[i].
-    std::array<math::Vec3, 9> irradiance_sh{};
+    float unit_nit = 1.0F;  ///< what 1 in `radiance` is: a power of two, 1 but for blinding light
 };
 
 /// Bakes `latlong` ([h, w, 3] f32, nit) turned counter-clockwise (seen from above) by

@@ -50,7 +50,7 @@ base::Result<EnvironmentMaps> upload_environment(const gl::Context& gl,
                    std::all_of(pixels.begin(), pixels.end(), [](float x) { return x == 0.0F; });
     const auto baked =
         bake_environment(latlong, settings.rotation_deg, settings.intensity, pool, warnings);
-    out.irradiance_sh = baked.irradiance_sh;
+    out.unit_nit = baked.unit_nit;
     out.last_level = static_cast<float>(baked.radiance.size() - 1);
     if (auto s = upload_cube(gl, baked, out.radiance_cube); !s) return tl::unexpected(s.error());
     if (auto s = upload_table(gl, table, table_size, out.albedo_table); !s)

@@ -6,8 +6,6 @@
 #include "gl/objects.h"
 #include "scene/environment.h"
 
-#include <array>
-
 namespace facet::frame {
 
 struct EnvironmentMaps {
@@ -16,7 +14,7 @@ struct EnvironmentMaps {
     gl::Sampler cube_sampler;
     gl::Sampler table_sampler;
     float last_level = 0.0F;
-    std::array<math::Vec3, 9> irradiance_sh{};
+    float unit_nit = 1.0F;  ///< what 1 in the cube is
     bool is_black = false;  ///< nothing to light with: its code is left out
 };
 

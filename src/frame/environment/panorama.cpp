@@ -5,28 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <vector>
 
 namespace facet::frame {
 namespace {
 
 /// Above every light there is; keeps products with it finite in float.
 constexpr float radiance_max_nit = 1e30F;
-
-struct Azimuths {
-    std::vector<float> cos1, sin1, cos2, sin2;
-};
-
-Azimuths azimuths_of(std::uint32_t width) {
-    Azimuths out;
-    for (std::uint32_t x = 0; x < width; ++x) {
-        const double phi = ((x + 0.5) / width - 0.5) * 2.0 * 3.14159265358979323846;
-        out.cos1.push_back(static_cast<float>(std::cos(phi)));
-        out.sin1.push_back(static_cast<float>(std::sin(phi)));
-        out.cos2.push_back(static_cast<float>(std::cos(2.0 * phi)));
-        out.sin2.push_back(static_cast<float>(std::sin(2.0 * phi)));
-    }
-    return out;
-}
 
 void read_row(std::span<const float> source, float intensity, Lanes* row) {
     const std::size_t width = source.size() / 3;
@@ -36,18 +21,6 @@ void read_row(std::span<const float> source, float intensity, Lanes* row) {
                        std::min(p[1] * intensity, radiance_max_nit),
                        std::min(p[2] * intensity, radiance_max_nit), 0.0F};
     }
-}
-
-AzimuthMoments moments_of(const Lanes* row, const Azimuths& azimuths) {
-    AzimuthMoments out;
-    for (std::size_t x = 0; x < azimuths.cos1.size(); ++x) {
-        out.sum[0] += row[x];
-        out.sum[1] += row[x] * azimuths.cos1[x];
-        out.sum[2] += row[x] * azimuths.sin1[x];
-        out.sum[3] += row[x] * azimuths.cos2[x];
-        out.sum[4] += row[x] * azimuths.sin2[x];
-    }
-    return out;
 }
 
 /// Averages `row` over a window of `columns` (at least 1 and at most the width), around the seam
@@ -99,17 +72,13 @@ Panorama make_panorama(const image::Image& latlong, float intensity, base::Threa
     Panorama out{.width = latlong.size.width,
                  .height = latlong.size.height,
                  .stride = std::size_t{latlong.size.width} + 2,
-                 .pixels = nullptr,
-                 .moments = {}};
+                 .pixels = nullptr};
     // Not zeroed: the rows are first touched by the threads that fill them.
     out.pixels.reset(new Lanes[out.stride * (std::size_t{out.height} + 2)]);
-    out.moments.resize(out.height);
-    const Azimuths azimuths = azimuths_of(out.width);
     const auto source = latlong.as<float>();
     pool.parallel_for(out.height, [&](std::size_t y) {
         Lanes* row = out.pixels.get() + (y + 1) * out.stride;
         read_row(source.subspan(y * out.width * 3, std::size_t{out.width} * 3), intensity, row);
-        out.moments[y] = moments_of(row, azimuths);
         const double sine =
             std::sin((static_cast<double>(y) + 0.5) / out.height * 3.14159265358979323846);
         const double columns = std::min(out.width / (2.0 * out.height * sine), 1.0 * out.width);

@@ -9,15 +9,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <vector>
 
 namespace facet::frame {
-
-/// Sums of one row over azimuth: radiance times 1, cos, sin, cos 2, sin 2 of phi, with phi from -z
-/// towards +x.
-struct AzimuthMoments {
-    Lanes sum[5] = {};
-};
 
 /// Pixels [height + 2, stride], one row beyond each pole and two columns beyond the seam.
 struct Panorama {
@@ -25,7 +18,6 @@ struct Panorama {
     std::uint32_t height = 0;
     std::size_t stride = 0;
     std::unique_ptr<Lanes[]> pixels;
-    std::vector<AzimuthMoments> moments;  ///< by row, of the unfiltered picture
 };
 
 /// `latlong` [height, width, 3] f32 times `intensity`. Rows near the poles are averaged over as
