@@ -31,6 +31,7 @@ struct Options {
     std::string kinds = "point";
     std::string env = "studio";
     std::string quality = "standard";
+    std::string shadows = "off";
     std::string backend = "auto";
     std::string camera = "auto";
     std::string reference;
@@ -73,6 +74,7 @@ Result<BenchRequest> request_of(const Options& options) {
     }
     request.settings.env = options.env;
     request.settings.quality = options.quality;
+    request.settings.shadows = options.shadows;
     request.settings.backend = options.backend;
     request.settings.camera = options.camera;
     request.settings.reference = options.reference;
@@ -166,6 +168,9 @@ int main(int argc, char** argv) {
     app.add_option("--reference", options.reference,
                    "samples per pixel of the path tracer: paths a second");
     app.add_option("--env", options.env, "environment")->capture_default_str();
+    app.add_option("--shadows", options.shadows,
+                   "off: the frame alone; traced: with the rays of --quality")
+        ->capture_default_str();
     app.add_option("--quality", options.quality, "draft, standard or final")->capture_default_str();
     app.add_option("--frames", options.frames, "frames measured")->check(CLI::Range(1, 100000));
     app.add_option("--backend", options.backend, "auto, egl or osmesa")->capture_default_str();

@@ -9,6 +9,7 @@
 #include "tables/exit_codes.h"
 #include "tables/lights.h"
 #include "tables/material.h"
+#include "tables/qualities.h"
 #include "teach/ask.h"
 
 #include <spdlog/fmt/fmt.h>
@@ -34,6 +35,26 @@ std::string lights() {
         out += fmt::format("{:<12} {} Unit: {}.\n{:<12} keys: {}\n", row.key, row.help, row.unit,
                            "", row.keys);
     return out;
+}
+
+std::string quality() {
+    std::string out =
+        "Example: facet render a.glb --quality final -o a.png\n\n"
+        "A picture is the mean of some frames, each through another place of its pixels "
+        "(--samples). "
+        "Rays find what the\n"
+        "frames cannot see: the shadow of every light, at each frame; and at the middles of "
+        "pixels, "
+        "by paths as those of\n"
+        "--reference, how much of the environment arrives and what other surfaces send. That is "
+        "smoothed over each surface.\n"
+        "More paths are drawn where the first ones disagree. --shadows off leaves all rays "
+        "out.\n\n";
+    for (const tables::Quality& row : tables::qualities)
+        out += fmt::format("{:<9} {:>2} frames, {} to {} paths, {} bounces at most: {}\n", row.key,
+                           row.frames, row.rays.samples, row.rays.most_samples, row.rays.bounces,
+                           row.help);
+    return out + "\ndocs/fidelity.md has how long each takes and how far it is from the truth.\n";
 }
 
 std::string cameras() {
@@ -203,9 +224,10 @@ struct Topic {
     std::string_view name;
     std::string (*text)();
 };
-constexpr Topic topics[] = {{"lights", lights}, {"cameras", cameras}, {"jobs", jobs},
-                            {"set", set},       {"studio", studio},   {"lessons", lessons},
-                            {"aovs", aovs},     {"brdf-terms", brdf}, {"exit-codes", exit_codes}};
+constexpr Topic topics[] = {
+    {"lights", lights},   {"cameras", cameras},      {"quality", quality}, {"jobs", jobs},
+    {"set", set},         {"studio", studio},        {"lessons", lessons}, {"aovs", aovs},
+    {"brdf-terms", brdf}, {"exit-codes", exit_codes}};
 
 }  // namespace
 

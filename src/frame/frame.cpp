@@ -40,6 +40,7 @@ base::Result<Frame> Frame::create(const gl::Context& gl, const gl::ShaderSources
     if (!accumulate) return tl::unexpected(accumulate.error());
     frame.accumulate_pass_ = std::move(*accumulate);
     frame.light_buffers_ = make_light_buffers(gl);
+    frame.rays_ = make_ray_textures(gl);
     frame.view_block_ = gl::make_buffer(gl, {}, GL_STREAM_DRAW);
     frame.empty_ = gl::make_vertex_array(gl);
     // Faces of the prefiltered cube are filtered across their edges.
@@ -58,7 +59,8 @@ base::Status Frame::make_targets(const gl::Context& gl) {
     const GBufferSpec wanted{.size = size(),
                              .emissive = spec_.emissive || wants(spec_.aovs, tables::Aov::emissive),
                              .ids = wants(spec_.aovs, tables::Aov::object_id) ||
-                                    wants(spec_.aovs, tables::Aov::material_id)};
+                                    wants(spec_.aovs, tables::Aov::material_id),
+                             .triangles = spec_.rays};
     if (wanted == gbuffer_.spec) return {};
     aov_targets_.clear();  // they share the old one's depth
     light_paths_.reset();
@@ -106,6 +108,8 @@ void Frame::set_view(const gl::Context& gl, const FrameInputs& in,
     shared::View view = camera_view;
     const std::uint32_t across = (spec_.region.size.width + tile_px - 1) / tile_px;
     view.light_counts = {in.lights.directional_count, in.lights.count, across, 0U};
+    const math::Extent size = spec_.region.size;
+    view.rays = {static_cast<std::uint32_t>(size.pixels()), rays_.slots, size.width, rays_.stride};
     const EnvironmentMaps& e = in.environment;
     view.environment = {e.last_level, e.unit_nit, 0.0F, 0.0F};
     view.key_light = in.key_light.place;
@@ -120,8 +124,8 @@ ShadeKey Frame::upload_lights(const gl::Context& gl, const FrameInputs& in) {
             .local_lights = in.lights.count > in.lights.directional_count};
 }
 
-void Frame::update_light_lists(const gl::Context& gl, const FrameInputs& in,
-                               const shared::View& view, bool opaque) {
+LightLists Frame::update_light_lists(const gl::Context& gl, const FrameInputs& in,
+                                     const shared::View& view, bool opaque) {
     const math::Extent size = spec_.region.size;
     // Reading depth back is a copy on a software renderer, and a stall on any other.
     std::optional<TileDepths> depths;
@@ -131,9 +135,34 @@ void Frame::update_light_lists(const gl::Context& gl, const FrameInputs& in,
                         std::as_writable_bytes(std::span(depth)));
         depths = tile_depths(depth, size);
     }
-    update_lists(
-        gl, light_buffers_,
-        build_light_lists(in.lights, view.clip_from_world, size, depths ? &*depths : nullptr));
+    LightLists lists =
+        build_light_lists(in.lights, view.clip_from_world, size, depths ? &*depths : nullptr);
+    update_lists(gl, light_buffers_, lists);
+    return lists;
+}
+
+base::Result<ReadSurfaces> Frame::read_middles(const gl::Context& gl, const FrameInputs& in) {
+    const shared::View view = view_block(in.camera, spec_.picture, spec_.region, math::Vec2(0.0F));
+    set_view(gl, in, view);
+    if (auto s = gbuffer_pass_.run(gl, in.scene, near_to_far(in.scene, view), gbuffer_); !s)
+        return tl::unexpected(s.error());
+    return read_surfaces(gl, gbuffer_, view, spec_.picture, spec_.region);
+}
+
+base::Status Frame::find_indirect(const gl::Context& gl, const FrameInputs& in) {
+    rays_.stride = 0;
+    if (in.rays == nullptr || !spec_.rays || !in.rays->has_indirect()) return {};
+    const auto surfaces = read_middles(gl, in);
+    if (!surfaces) return tl::unexpected(surfaces.error());
+    in.rays->look_at(*surfaces);
+    return set_indirect(gl, in.rays->indirect(in.environment));
+}
+
+void Frame::find_visibility(const gl::Context& gl, const FrameInputs& in, const shared::View& view,
+                            const LightLists* lists) {
+    in.rays->look_at(read_surfaces(gl, gbuffer_, view, spec_.picture, spec_.region));
+    update_visibility(gl, in.lights, lists, size(), *in.rays, rays_);
+    set_view(gl, in, view);
 }
 
 base::Status Frame::draw_opaque(const gl::Context& gl, const FrameInputs& in,
@@ -147,8 +176,17 @@ base::Status Frame::draw_opaque(const gl::Context& gl, const FrameInputs& in,
 base::Status Frame::draw_light(const gl::Context& gl, const FrameInputs& in,
                                const shared::View& view,
                                const std::vector<std::size_t>& far_to_near) {
-    const ShadeInputs shade{upload_lights(gl, in), in.environment, light_buffers_};
-    if (shade.key.local_lights) update_light_lists(gl, in, view, true);
+    ShadeInputs shade{upload_lights(gl, in), in.environment, light_buffers_, rays_};
+    std::optional<LightLists> lists;
+    if (shade.key.local_lights) lists = update_light_lists(gl, in, view, true);
+    // Rays know the G-buffer's surfaces alone: those that are blended are lit as if in the open.
+    const ShadeInputs in_the_open = shade;
+    const bool has_rays = in.rays != nullptr && spec_.rays;
+    if (has_rays && in.rays->has_shadows() && in.lights.count > 0) {
+        find_visibility(gl, in, view, lists ? &*lists : nullptr);
+        shade.key.visibility = true;
+    }
+    shade.key.indirect = has_rays && rays_.stride > 0;
     if (in.background.kind != BackgroundKind::environment) radiance_.clear(gl);
     const gl::Framebuffer& beauty = radiance_.framebuffer;
     if (auto s = draw_opaque(gl, in, shade, radiance_.target(), &beauty); !s) return s;
@@ -165,10 +203,12 @@ base::Status Frame::draw_light(const gl::Context& gl, const FrameInputs& in,
                                          [](const Draw& draw) { return draw.blended; });
     if (!any_blended) return {};
     // What is blended lies before the depth that the lists were culled by.
-    if (shade.key.local_lights) update_light_lists(gl, in, view, false);
-    if (auto s = blend_pass_.run(gl, in.scene, far_to_near, shade, radiance_.target()); !s)
+    if (shade.key.local_lights) (void)update_light_lists(gl, in, view, false);
+    if (auto s = blend_pass_.run(gl, in.scene, far_to_near, in_the_open, radiance_.target()); !s)
         return s;
     if (!light_paths_) return {};
+    apart.key.visibility = false;
+    apart.key.indirect = false;
     return blend_pass_.run(gl, in.scene, far_to_near, apart, light_paths_->light.target());
 }
 

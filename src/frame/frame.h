@@ -10,6 +10,7 @@
 #include "frame/lighting/light_paths.h"
 #include "frame/lighting/lighting.h"
 #include "frame/output/output.h"
+#include "frame/rays/rays.h"
 #include "frame/upload/gpu_scene.h"
 #include "frame/view.h"
 #include "image/read.h"
@@ -25,6 +26,7 @@ struct FrameSpec {
     math::Extent picture;
     Region region;
     bool emissive = false;  ///< some material emits
+    bool rays = false;      ///< FrameInputs::rays may be there
     std::vector<tables::Aov> aovs;
 };
 
@@ -36,6 +38,7 @@ struct FrameInputs {
     const scene::Camera& camera;
     const Background& background;
     scene::KeyLight key_light{};  ///< for AOVs that are terms of the BRDF
+    Rays* rays = nullptr;         ///< finds what is visible, where the frame is made for that
 };
 
 /// Milliseconds a pass took, each waited for; asked for by benchmarks only.
@@ -61,6 +64,15 @@ public:
 
     /// Forgets what was drawn before, so that a picture's bytes cannot depend on it.
     void begin_picture(const gl::Context& gl) const { clear(gl, gbuffer_); }
+    /// Asks the rays, where there are some, for the indirect light at the middles of the pixels; it
+    /// lights the frames drawn from now on.
+    [[nodiscard]] base::Status find_indirect(const gl::Context& gl, const FrameInputs& in);
+    /// The two halves of that, between which somebody asks the rays.
+    [[nodiscard]] base::Result<ReadSurfaces> read_middles(const gl::Context& gl,
+                                                          const FrameInputs& in);
+    [[nodiscard]] base::Status set_indirect(const gl::Context& gl, const IndirectLight& light) {
+        return update_indirect(gl, light, rays_);
+    }
     /// Draws sample `index` of `count` and adds it, unless it is the only one. Sample 0 begins all
     /// sums anew.
     [[nodiscard]] base::Status draw(const gl::Context& gl, const FrameInputs& in,
@@ -118,8 +130,11 @@ private:
     void set_view(const gl::Context& gl, const FrameInputs& in, const shared::View& camera_view);
     [[nodiscard]] ShadeKey upload_lights(const gl::Context& gl, const FrameInputs& in);
     /// `opaque`: for the surfaces of the G-buffer, whose depth leaves out lights.
-    void update_light_lists(const gl::Context& gl, const FrameInputs& in, const shared::View& view,
-                            bool opaque);
+    [[nodiscard]] LightLists update_light_lists(const gl::Context& gl, const FrameInputs& in,
+                                                const shared::View& view, bool opaque);
+    /// Asks the rays which lights are seen from the G-buffer's surfaces.
+    void find_visibility(const gl::Context& gl, const FrameInputs& in, const shared::View& view,
+                         const LightLists* lists);
     /// Surfaces of the G-buffer into `out`, and into `background` what shows beside them, unless it
     /// is null.
     [[nodiscard]] base::Status draw_opaque(const gl::Context& gl, const FrameInputs& in,
@@ -143,6 +158,7 @@ private:
     std::vector<AovTarget> aov_targets_;
     std::optional<LightPathTarget> light_paths_;  ///< where AOVs ask for one
     LightBuffers light_buffers_;
+    RayTextures rays_;
     gl::Buffer view_block_;
     gl::VertexArray empty_;
 };

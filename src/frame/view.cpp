@@ -37,11 +37,15 @@ shared::View view_block(const scene::Camera& camera, math::Extent picture, const
     const math::Mat4 clip_from_view =
         region_from_picture(picture, region) * scene::clip_from_view(camera, picture, jitter_px);
     shared::View view{};
+    const float pixel = 2.0F / scene::clip_from_view(camera, picture, math::Vec2(0.0F))[1][1] /
+                        static_cast<float>(picture.height);
+    const bool is_perspective = camera.projection == scene::Projection::perspective;
+    view.pixel = {is_perspective ? 0.0F : pixel, is_perspective ? pixel : 0.0F, jitter_px.x,
+                  -jitter_px.y};
     view.clip_from_world = clip_from_view * scene::view_from_world(camera);
     view.world_from_clip = math::inverse(view.clip_from_world);
     const math::Mat4& world_from_view = camera.world_from_view;
-    view.eye_m = math::Vec4(math::Vec3(world_from_view[3]),
-                            camera.projection == scene::Projection::perspective ? 1.0F : 0.0F);
+    view.eye_m = math::Vec4(math::Vec3(world_from_view[3]), is_perspective ? 1.0F : 0.0F);
     view.forward = math::Vec4(-math::normalize(math::Vec3(world_from_view[2])), 0.0F);
     const auto width = static_cast<float>(region.size.width);
     const auto height = static_cast<float>(region.size.height);

@@ -119,6 +119,7 @@ Sampler make_sampler(const Context& gl, const SamplerSpec& spec) {
     api.SamplerParameteri(name, GL_TEXTURE_MAG_FILTER, spec.mag_filter);
     api.SamplerParameteri(name, GL_TEXTURE_WRAP_S, spec.wrap_s);
     api.SamplerParameteri(name, GL_TEXTURE_WRAP_T, spec.wrap_t);
+    api.SamplerParameterf(name, GL_TEXTURE_LOD_BIAS, spec.level_bias);
     return Sampler(api, name);
 }
 

@@ -56,6 +56,7 @@ struct SamplerSpec {
     GLint mag_filter = GL_LINEAR;
     GLint wrap_s = GL_REPEAT;
     GLint wrap_t = GL_REPEAT;
+    float level_bias = 0.0F;  ///< below 0: finer mips
     auto operator<=>(const SamplerSpec&) const = default;
 };
 [[nodiscard]] Sampler make_sampler(const Context& gl, const SamplerSpec& spec);

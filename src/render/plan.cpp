@@ -94,18 +94,28 @@ base::Status plan_size(const tables::Settings& settings, Plan& plan) {
 }
 
 base::Status plan_quality(const tables::Settings& settings, Plan& plan) {
-    static constexpr std::array<std::uint32_t, 3> samples = {1, 8, 32};
-    const std::array<std::string, 3> names = {"draft", "standard", "final"};
-    const auto quality = choose("--quality", settings.quality, names);
-    if (!quality) return tl::unexpected(quality.error());
-    plan.is_draft = *quality == 0;
-    plan.sample_count = settings.samples > 0 ? settings.samples : samples[*quality];
+    const auto names = keys(tables::qualities);
+    const auto chosen = choose("--quality", settings.quality, names);
+    if (!chosen) return tl::unexpected(chosen.error());
+    const tables::Quality& quality = tables::qualities[*chosen];
+    plan.is_draft = quality.fast_textures;
+    plan.sample_count = settings.samples > 0 ? settings.samples : quality.frames;
+    plan.rays = quality.rays;
     const std::array<std::string, 4> depths = {"8", "16", "half", "float"};
     if (!settings.depth.empty()) {
         const auto depth = choose("--depth", settings.depth, depths);
         if (!depth) return tl::unexpected(depth.error());
         plan.display_sample = *depth == 1 ? image::Sample::u16 : image::Sample::u8;
     }
+    return {};
+}
+
+base::Status plan_shadows(const tables::Settings& settings, Plan& plan) {
+    if (settings.shadows.empty()) return {};
+    const std::array<std::string, 2> names = {"traced", "off"};
+    const auto shadows = choose("--shadows", settings.shadows, names);
+    if (!shadows) return tl::unexpected(shadows.error());
+    if (*shadows == 1) plan.rays = {};
     return {};
 }
 
@@ -241,8 +251,8 @@ base::Status check_memory(const tables::Settings& settings, Plan& plan) {
 
 Result<Plan> make_plan(const tables::Settings& settings) {
     Plan plan;
-    for (const auto step : {plan_size, plan_quality, plan_background, plan_exposure, plan_aovs,
-                            plan_reference, plan_machine, check_memory})
+    for (const auto step : {plan_size, plan_quality, plan_shadows, plan_background, plan_exposure,
+                            plan_aovs, plan_reference, plan_machine, check_memory})
         if (auto status = step(settings, plan); !status) return tl::unexpected(status.error());
     auto brdf = brdf::parse_choice(settings.brdf, brdf::Use::render);
     if (!brdf) return tl::unexpected(base::in_file(brdf.error(), "--brdf"));

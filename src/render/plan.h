@@ -10,6 +10,7 @@
 #include "image/image.h"
 #include "tables/aovs.h"
 #include "tables/brdf_terms.h"
+#include "tables/qualities.h"
 #include "tables/settings.h"
 #include "tables/tonemaps.h"
 
@@ -36,6 +37,7 @@ struct Plan {
     tables::Tonemap tonemap = tables::Tonemap::pbr_neutral;
     tables::BrdfChoice brdf;
     std::vector<tables::Aov> aovs;
+    tables::RayBudget rays;
     std::optional<ReferencePlan> reference;
     gl::Backend backend = gl::Backend::automatic;
     base::Limits limits;

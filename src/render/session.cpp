@@ -6,9 +6,12 @@
 #include "brdf/albedo.h"
 #include "brdf/glsl_text.h"
 #include "frame/output/exposure.h"
+#include "render/rays.h"
 #include "render/stopwatch.h"
 
 #include <algorithm>
+#include <chrono>
+#include <cmath>
 #include <future>
 
 namespace facet::render {
@@ -41,20 +44,26 @@ base::Result<Session> Session::create(const gl::Context& gl, Job job,
     return session;
 }
 
-frame::Filtering Session::filtering() const {
-    return plan_.is_draft ? frame::Filtering::fast : frame::Filtering::trilinear;
+frame::Filtering filtering_of(const Plan& plan) {
+    // A sample of n stands for a width of 1 / sqrt(n): the reference's, which has a least width
+    // too.
+    constexpr float finest = -3.0F;
+    return {
+        .is_fast = plan.is_draft,
+        .level_bias = std::max(finest, -0.5F * std::log2(static_cast<float>(plan.sample_count)))};
 }
 
 frame::FrameSpec Session::frame_spec() const {
     return {.picture = plan_.picture,
             .region = plan_.region,
             .emissive = scene_.emits,
+            .rays = plan_.rays.any(),
             .aovs = plan_.aovs};
 }
 
 base::Status Session::upload_environment(base::Warnings& warnings) {
     const auto is_wanted = [&](const Baked& baked) {
-        return baked.latlong == job_.environment.latlong && baked.brdf == plan_.brdf &&
+        return baked.latlong == job_->environment.latlong && baked.brdf == plan_.brdf &&
                baked.rotation_deg == settings_.env_rotation &&
                baked.intensity == settings_.env_intensity;
     };
@@ -67,12 +76,12 @@ base::Status Session::upload_environment(base::Warnings& warnings) {
     }
     const brdf::AlbedoTable table = brdf::albedo_table(plan_.brdf);
     base::Warnings own;
-    auto maps = frame::upload_environment(*gl_, job_.environment,
+    auto maps = frame::upload_environment(*gl_, job_->environment,
                                           {settings_.env_rotation, settings_.env_intensity},
                                           table.texels, table.size, *pool_, own);
     if (!maps) return tl::unexpected(maps.error());
     warnings.insert(warnings.end(), own.begin(), own.end());
-    baked_.insert(baked_.begin(), {.latlong = job_.environment.latlong,
+    baked_.insert(baked_.begin(), {.latlong = job_->environment.latlong,
                                    .brdf = plan_.brdf,
                                    .rotation_deg = settings_.env_rotation,
                                    .intensity = settings_.env_intensity,
@@ -84,7 +93,7 @@ base::Status Session::upload_environment(base::Warnings& warnings) {
 
 scene::KeyLight Session::key_light_for(const std::vector<tables::Aov>& aovs) {
     if (!tables::any_of_kind(aovs, tables::AovKind::key_light)) return {};
-    if (!key_light_) key_light_ = key_light(job_, aovs);
+    if (!key_light_) key_light_ = key_light(*job_, aovs);
     return *key_light_;
 }
 
@@ -104,8 +113,99 @@ base::Status Session::make_frame() {
     return {};
 }
 
-base::Status Session::draw(std::uint32_t index, std::uint32_t count, frame::PassTimes* times) {
-    return frame_->draw(*gl_, inputs(key_light_for(plan_.aovs)), index, count, times);
+/// A question to rays, on its way.
+struct AskedRays {
+    std::future<base::Status> status;
+    frame::IndirectLight light;
+};
+
+Session::Session(const gl::Context& gl, base::ThreadPool& pool) : gl_(&gl), pool_(&pool) {}
+Session::Session(Session&&) noexcept = default;
+Session& Session::operator=(Session&&) noexcept = default;
+Session::~Session() { forget_indirect(); }
+
+frame::FrameInputs Session::inputs(const scene::KeyLight& key) const {
+    return {scene_, baked_.front().maps, *lights_, job_->camera, plan_.background,
+            key,    rays_.get()};
+}
+
+void Session::forget_indirect() {
+    has_indirect_ = false;
+    if (!asked_) return;
+    if (rays_) rays_->cancel();
+    asked_->status.wait();
+    asked_.reset();
+    rays_.reset();
+}
+
+void Session::forget_rays() {
+    forget_indirect();
+    rays_.reset();
+    tracer_.reset();
+}
+
+base::Status Session::make_rays() {
+    if (!plan_.rays.any()) rays_.reset();
+    if (!plan_.rays.any() || rays_) return {};
+    if (!tracer_) {
+        auto made = trace::Tracer::create({.scene = job_->scene,
+                                           .environment = job_->environment,
+                                           .camera = job_->camera,
+                                           .env_rotation_deg = settings_.env_rotation,
+                                           .env_intensity = settings_.env_intensity,
+                                           .brdf = plan_.brdf},
+                                          plan_.limits, *pool_);
+        if (!made) return tl::unexpected(made.error());
+        tracer_ = std::make_unique<trace::Tracer>(std::move(*made));
+    }
+    rays_ = std::make_unique<TracedRays>(RayScene{*tracer_, scene_, *lights_}, plan_.rays,
+                                         settings_.seed, *pool_);
+    return {};
+}
+
+base::Status Session::ask_rays() {
+    forget_indirect();
+    if (auto made = make_rays(); !made) return made;
+    if (!rays_ || !rays_->has_indirect()) return {};
+    const scene::KeyLight key = key_light_for(plan_.aovs);
+    auto surfaces = frame_->read_middles(*gl_, inputs(key));
+    if (!surfaces) return tl::unexpected(surfaces.error());
+    rays_->look_at(*surfaces);
+    asked_ = std::make_unique<AskedRays>();
+    asked_->status = std::async(std::launch::async, [this]() -> base::Status {
+        asked_->light = rays_->indirect(baked_.front().maps);
+        return {};
+    });
+    return {};
+}
+
+Session::Asked Session::asked() const {
+    if (!asked_) return Asked::no;
+    const auto state = asked_->status.wait_for(std::chrono::seconds(0));
+    return state == std::future_status::ready ? Asked::done : Asked::running;
+}
+
+base::Status Session::take_rays() {
+    if (!asked_) return {};
+    auto status = asked_->status.get();
+    if (status) status = frame_->set_indirect(*gl_, asked_->light);
+    asked_.reset();
+    has_indirect_ = status.has_value();
+    return status;
+}
+
+base::Status Session::draw(std::uint32_t index, std::uint32_t count, frame::PassTimes* times,
+                           bool with_rays) {
+    if (with_rays) {
+        if (asked_) forget_indirect();
+        if (auto made = make_rays(); !made) return made;
+    }
+    const scene::KeyLight key = key_light_for(plan_.aovs);
+    frame::FrameInputs in = inputs(key);
+    if (!with_rays) in.rays = nullptr;
+    if (index == 0 && with_rays && !has_indirect_)
+        if (auto found = frame_->find_indirect(*gl_, in); !found) return found;
+    return frame_->draw(*gl_, in, index, count, times);
 }
 
 base::Status Session::draw_centered_aovs() {
@@ -119,6 +219,8 @@ base::Result<std::vector<frame::ExplainedPixel>> Session::explain(
         if (!made) return tl::unexpected(made.error());
         explainer_ = std::move(*made);
     }
+    forget_indirect();
+    if (auto made = make_rays(); !made) return tl::unexpected(made.error());
     return explainer_->draw(*gl_, inputs({}), pixels, index, count);
 }
 
@@ -165,9 +267,10 @@ void Session::lay_over_background(image::Image& radiance, double exposure) const
 }
 
 void Session::set_lights(std::span<const scene::Light> lights) {
-    job_.scene.lights = std::vector<scene::Light>(lights.begin(), lights.end());
-    lights_ = std::make_unique<frame::PackedLights>(frame::pack_lights(job_.scene.lights));
+    job_->scene.lights = std::vector<scene::Light>(lights.begin(), lights.end());
+    lights_ = std::make_unique<frame::PackedLights>(frame::pack_lights(job_->scene.lights));
     key_light_.reset();
+    forget_rays();
 }
 
 image::Image Session::read_mean(std::uint32_t count) const {

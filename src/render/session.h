@@ -11,7 +11,14 @@
 #include <memory>
 #include <optional>
 
+namespace facet::trace {
+class Tracer;
+}
+
 namespace facet::render {
+
+class TracedRays;
+struct AskedRays;
 
 /// A GL context and what to draw with it.
 struct Opened {
@@ -22,6 +29,8 @@ struct Opened {
 /// render().
 [[nodiscard]] base::Result<Opened> open(const Request& request, const Plan& plan,
                                         base::ThreadPool& pool, base::Log& log, Rendered& out);
+
+[[nodiscard]] frame::Filtering filtering_of(const Plan& plan);
 
 class Session {
 public:
@@ -44,10 +53,23 @@ public:
     /// Compiles every shader from its file again. On an error those of before go on.
     [[nodiscard]] base::Status reload_shaders();
 
+    Session(Session&&) noexcept;
+    Session& operator=(Session&&) noexcept;
+    ~Session();
+
     /// Before the first sample of a picture whose bytes must not depend on what was drawn before.
     void begin_picture() { frame_->begin_picture(*gl_); }
+    /// `with_rays`: with those that the plan has. Sample 0 asks them for the indirect light of all,
+    /// unless take_rays() has it.
     [[nodiscard]] base::Status draw(std::uint32_t index, std::uint32_t count,
-                                    frame::PassTimes* times = nullptr);
+                                    frame::PassTimes* times = nullptr, bool with_rays = true);
+    /// Asks the rays on a thread of their own; meanwhile only draw() without them may be called,
+    /// and what changes the picture, which gives them up.
+    [[nodiscard]] base::Status ask_rays();
+    enum class Asked : std::uint8_t { no, running, done };
+    [[nodiscard]] Asked asked() const;
+    /// What they found, for the samples from the next 0 on, until the picture changes.
+    [[nodiscard]] base::Status take_rays();
     [[nodiscard]] base::Status draw_centered_aovs();
     /// The contract's automatic exposure of the `count` frames drawn.
     [[nodiscard]] double measure_exposure(std::uint32_t count);
@@ -62,8 +84,8 @@ public:
     /// What sample `index` of `count` makes of some pixels of the region, number by number.
     [[nodiscard]] base::Result<std::vector<frame::ExplainedPixel>> explain(
         std::span<const frame::PixelPlace> pixels, std::uint32_t index, std::uint32_t count);
-    [[nodiscard]] const scene::Scene& scene() const { return job_.scene; }
-    [[nodiscard]] const Job& job() const { return job_; }
+    [[nodiscard]] const scene::Scene& scene() const { return job_->scene; }
+    [[nodiscard]] const Job& job() const { return *job_; }
     [[nodiscard]] const Plan& plan() const { return plan_; }
     /// Replaces the scene's lights from the next frame on.
     void set_lights(std::span<const scene::Light> lights);
@@ -83,16 +105,21 @@ public:
     void finish() const { gl_->finish(); }
 
 private:
-    Session(const gl::Context& gl, base::ThreadPool& pool) : gl_(&gl), pool_(&pool) {}
+    Session(const gl::Context& gl, base::ThreadPool& pool);
     [[nodiscard]] frame::DisplaySettings display_settings(double exposure,
                                                           std::uint32_t count) const;
     [[nodiscard]] frame::FrameSpec frame_spec() const;
-    [[nodiscard]] frame::Filtering filtering() const;
     /// Beauty as radiance in nit, of itself: with its coverage.
     [[nodiscard]] image::Image read_mean(std::uint32_t count) const;
     /// The parts of the upload; each from job_, settings_ and plan_.
     [[nodiscard]] base::Status upload_environment(base::Warnings& warnings);
     [[nodiscard]] base::Status make_frame();
+    /// Sorts the triangles for rays, where the plan wants some and that is not done.
+    [[nodiscard]] base::Status make_rays();
+    /// Gives up what is asked, and the indirect light that was found.
+    void forget_indirect();
+    /// And the scene that rays see.
+    void forget_rays();
     [[nodiscard]] base::Status change(const tables::Settings& settings, const Plan& plan,
                                       base::Warnings& warnings);
     [[nodiscard]] base::Status change_scene(const tables::Settings& settings, const Plan& plan);
@@ -111,13 +138,17 @@ private:
     const gl::Context* gl_;
     base::ThreadPool* pool_;
     Assets* assets_ = nullptr;
-    Job job_;
+    std::unique_ptr<Job> job_;  // what is traced keeps its address
     tables::Settings settings_;
     Plan plan_;
     std::unique_ptr<gl::ShaderSources> sources_;  // passes keep its address
     frame::GpuScene scene_;
     std::vector<Baked> baked_;  ///< the one in use first, then by last use
     std::unique_ptr<frame::PackedLights> lights_;
+    std::unique_ptr<trace::Tracer> tracer_;  ///< made at first need
+    std::unique_ptr<TracedRays> rays_;       ///< likewise
+    std::unique_ptr<AskedRays> asked_;       ///< running, or done and not taken
+    bool has_indirect_ = false;              ///< taken
     std::optional<frame::Frame> frame_;
     std::optional<frame::Frame> probe_;          ///< made at first need
     std::optional<frame::Explainer> explainer_;  ///< likewise
@@ -125,9 +156,7 @@ private:
 
     [[nodiscard]] scene::KeyLight key_light_for(const std::vector<tables::Aov>& aovs);
     /// `key` outlives the result.
-    [[nodiscard]] frame::FrameInputs inputs(const scene::KeyLight& key) const {
-        return {scene_, baked_.front().maps, *lights_, job_.camera, plan_.background, key};
-    }
+    [[nodiscard]] frame::FrameInputs inputs(const scene::KeyLight& key) const;
 };
 
 }  // namespace facet::render

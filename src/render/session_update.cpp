@@ -1,5 +1,6 @@
 // A session under other settings: only what they change is done again.
 // SPDX-License-Identifier: MIT
+#include "render/rays.h"
 #include "render/session.h"
 
 #include <utility>
@@ -20,34 +21,40 @@ bool camera_differs(const Settings& a, const Settings& b) {
 
 bool targets_differ(const frame::FrameSpec& a, const frame::FrameSpec& b) {
     return a.picture != b.picture || a.region.x != b.region.x || a.region.y != b.region.y ||
-           a.region.size != b.region.size || a.emissive != b.emissive || a.aovs != b.aovs;
+           a.region.size != b.region.size || a.emissive != b.emissive || a.rays != b.rays ||
+           a.aovs != b.aovs;
 }
 
 }  // namespace
 
 base::Status Session::change_scene(const Settings& settings, const Plan& plan) {
-    if (auto s = apply_edits(settings, plan, job_); !s) return s;
-    if (auto s = frame::update_scene(*gl_, job_.scene, filtering(), *pool_, scene_); !s) return s;
-    set_lights(job_.scene.lights);
+    if (auto s = apply_edits(settings, plan, *job_); !s) return s;
+    if (auto s = frame::update_scene(*gl_, job_->scene, filtering_of(plan_), *pool_, scene_); !s)
+        return s;
+    set_lights(job_->scene.lights);
     return {};
 }
 
 base::Status Session::change(const Settings& settings, const Plan& plan, base::Warnings& warnings) {
+    forget_indirect();
     const Settings before = std::exchange(settings_, settings);
     const Plan plan_before = std::exchange(plan_, plan);
     key_light_.reset();
-    job_.env_rotation_deg = settings.env_rotation;
-    const bool new_draft = plan.is_draft != plan_before.is_draft;
+    job_->env_rotation_deg = settings.env_rotation;
+    const bool new_filtering = !(filtering_of(plan) == filtering_of(plan_before));
     const bool new_brdf = !(plan.brdf == plan_before.brdf);
     const bool new_environment = settings.env != before.env;
-    if (edits_differ(settings, before) || new_draft)
+    const bool new_light = new_environment || settings.env_rotation != before.env_rotation ||
+                           settings.env_intensity != before.env_intensity;
+    if (edits_differ(settings, before) || new_brdf || new_light) forget_rays();
+    if (!(plan.rays == plan_before.rays) || settings.seed != before.seed) rays_.reset();
+    if (edits_differ(settings, before) || new_filtering)
         if (auto s = change_scene(settings, plan); !s) return s;
     if (camera_differs(settings, before))
-        if (auto s = aim_camera(settings, job_); !s) return s;
+        if (auto s = aim_camera(settings, *job_); !s) return s;
     if (new_environment)
-        if (auto s = load_environment(settings, plan, *pool_, assets_, job_); !s) return s;
-    if (new_environment || new_brdf || settings.env_rotation != before.env_rotation ||
-        settings.env_intensity != before.env_intensity)
+        if (auto s = load_environment(settings, plan, *pool_, assets_, *job_); !s) return s;
+    if (new_brdf || new_light)
         if (auto s = upload_environment(warnings); !s) return s;
     if (new_brdf) return make_frame();
     if (targets_differ(frame_spec(), frame_->spec())) return frame_->resize(*gl_, frame_spec());
@@ -57,16 +64,17 @@ base::Status Session::change(const Settings& settings, const Plan& plan, base::W
 base::Status Session::enter(Job job, const Settings& settings, const Plan& plan,
                             base::Warnings& warnings) {
     const bool has_frame = frame_.has_value() && plan.brdf == plan_.brdf;
-    job_ = std::move(job);
+    forget_rays();
+    job_ = std::make_unique<Job>(std::move(job));
     settings_ = settings;
     plan_ = plan;
     explainer_.reset();
     scene_ = {};  // before the next one needs the memory
-    auto scene = frame::upload_scene(*gl_, job_.scene, filtering(), *pool_);
+    auto scene = frame::upload_scene(*gl_, job_->scene, filtering_of(plan_), *pool_);
     if (!scene) return tl::unexpected(scene.error());
     scene_ = std::move(*scene);
     if (auto s = upload_environment(warnings); !s) return s;
-    set_lights(job_.scene.lights);
+    set_lights(job_->scene.lights);
     if (!has_frame) return make_frame();
     if (targets_differ(frame_spec(), frame_->spec())) return frame_->resize(*gl_, frame_spec());
     return {};

@@ -186,8 +186,8 @@ base::Status Stage::step(const Scenery& scenery, UiRenderer& pictures) {
     // One sample of one is the pixel's centre, and is in no sum.
     if (!coarse && is_coarse_) drawn_ = 0;
     is_coarse_ = coarse;
-    waiting_ = !restart && !look_changed &&
-               (drawn_ >= wanted ? size != scenery.area_px : hurry && is_slow(scenery, size));
+    if (auto s = use_rays(scenery, restart); !s) return s;
+    waiting_ = !restart && !look_changed && (drawn_ >= wanted || (hurry && is_slow(scenery, size)));
     if (waiting_) {
         applied_ = scenery;
         return {};
@@ -195,19 +195,40 @@ base::Status Stage::step(const Scenery& scenery, UiRenderer& pictures) {
     if (drawn_ < wanted)
         if (auto s = draw_sample(wanted); !s) return s;
     applied_ = scenery;
-    finished_ = !coarse && drawn_ >= wanted && size == scenery.area_px;
+    finished_ = !coarse && drawn_ >= wanted && size == scenery.area_px &&
+                (with_rays_ || !session_->plan().rays.any());
     return show(scenery, pictures);
+}
+
+base::Status Stage::use_rays(const Scenery& scenery, bool restart) {
+    // They take long: somebody who waits gets them a while later, the rest of the samples with
+    // them.
+    if (restart) with_rays_ = steady_;
+    if (with_rays_ || !session_->plan().rays.any()) return {};
+    using Asked = render::Session::Asked;
+    switch (session_->asked()) {
+        case Asked::running:
+            return {};
+        case Asked::no:
+            return scenery.patient && !scenery.moving ? session_->ask_rays() : base::Status{};
+        case Asked::done:
+            break;
+    }
+    with_rays_ = true;
+    drawn_ = 0;
+    return session_->take_rays();
 }
 
 base::Status Stage::draw_sample(std::uint32_t count) {
     render::Stopwatch watch;
-    if (auto s = session_->draw(drawn_, count); !s) return s;
+    if (auto s = session_->draw(drawn_, count, nullptr, with_rays_); !s) return s;
     ++drawn_;
     session_->finish();
     last_ms_ = watch.lap_ms();
     const double each = last_ms_ / static_cast<double>(size_px().pixels());
     // A shader's first use compiles it: one slow frame says little, several do.
-    ms_per_pixel_ += (each - ms_per_pixel_) * (each > 4.0 * ms_per_pixel_ ? 0.1 : 0.4);
+    if (!with_rays_)
+        ms_per_pixel_ += (each - ms_per_pixel_) * (each > 4.0 * ms_per_pixel_ ? 0.1 : 0.4);
     if (session_->plan().exposure)
         exposure_ = *session_->plan().exposure;
     else if (drawn_ == 1 || drawn_ == count)
@@ -248,13 +269,13 @@ base::Status Stage::show_original(const Scenery& scenery, UiRenderer& pictures) 
     const std::uint32_t drawn = drawn_;
     if (auto s = apply(settings_for(original, size_px())); !s) return s;
     for (std::uint32_t i = 0; i < original_samples; ++i)
-        if (auto s = session_->draw(i, original_samples); !s) return s;
+        if (auto s = session_->draw(i, original_samples, nullptr, with_rays_); !s) return s;
     if (auto s = session_->display(exposure_, original_samples); !s) return s;
     if (auto s = pictures.upload(tools_.gl, Slot::original, session_->read_display()); !s) return s;
     // The edited picture again, all of it: its sum was drawn over.
     if (auto s = apply(edited); !s) return s;
     for (std::uint32_t i = 0; i < drawn; ++i)
-        if (auto s = session_->draw(i, samples_wanted()); !s) return s;
+        if (auto s = session_->draw(i, samples_wanted(), nullptr, with_rays_); !s) return s;
     original_shown_ = true;
     return {};
 }

@@ -110,6 +110,8 @@ private:
     [[nodiscard]] base::Status apply(const tables::Settings& settings);
     /// What the view shows, and materials() and lights() of the document.
     [[nodiscard]] base::Status apply_scenery(const Scenery& scenery, math::Extent size);
+    /// Asks for rays, and takes what they found.
+    [[nodiscard]] base::Status use_rays(const Scenery& scenery, bool restart);
     [[nodiscard]] base::Status draw_sample(std::uint32_t count);
     [[nodiscard]] base::Status show(const Scenery& scenery, UiRenderer& pictures);
     [[nodiscard]] base::Status show_original(const Scenery& scenery, UiRenderer& pictures);
@@ -123,6 +125,7 @@ private:
     tables::Settings session_settings_;
     std::uint32_t drawn_ = 0;
     bool is_coarse_ = false;  ///< drawn_ is one sample of one
+    bool with_rays_ = false;  ///< so are the samples
     bool finished_ = false;
     bool waiting_ = false;
     bool original_shown_ = false;

@@ -123,6 +123,11 @@ Bsdf::DiffuseShares Bsdf::diffuse_shares(const Vec3& to_light) const {
     return {of_light, model_->one_masking ? of_light : share(model_->environment)};
 }
 
+Lobes::BrdfValue Bsdf::environment_weight() const {
+    Lobes terms = model_->environment;
+    return terms.brdf_environment(view_);
+}
+
 Bsdf::Sample Bsdf::sample(Vec2 u, float lobe) const {
     Lobes terms = model_->environment;
     Sample out;

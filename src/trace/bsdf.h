@@ -51,6 +51,9 @@ public:
     };
     [[nodiscard]] DiffuseShares diffuse_shares(const math::Vec3& to_light) const;
 
+    /// Factors on irradiance / pi and on the mean over the specular lobe of what arrives.
+    [[nodiscard]] Lobes::BrdfValue environment_weight() const;
+
     struct Sample {
         math::Vec3 direction{0.0F};  ///< unit, to the light
         Scattered scattered;  ///< of a mirror: the share reflected over its probability, with pdf 1

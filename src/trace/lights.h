@@ -27,6 +27,8 @@ public:
     /// Listed lights, and one for all meshes that emit.
     [[nodiscard]] std::size_t count() const { return lights_.size() + (emitters_.empty() ? 0 : 1); }
 
+    [[nodiscard]] bool has_meshes() const { return !emitters_.empty(); }
+
     /// A light to draw from; the last of count() is the meshes that emit.
     struct Choice {
         std::size_t light = 0;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 namespace facet::trace {
 namespace {
@@ -21,18 +22,37 @@ constexpr std::size_t most_drawn_each = 8;
 /// that much coarser.
 constexpr float lobe_cone = 0.15F;
 
-/// `is_apart`: fills `apart` beside the sum. Light belongs to the lobe of the first surface that
+/// What a path writes down beside its sum. Light belongs to the lobe of the first surface that
 /// sends it to the viewer, by that lobe's share of the BRDF in the direction it came from.
-template <bool is_apart>
+enum class Books : std::uint8_t { none, by_path, gathered };
+/// Where light comes from.
+enum class From : std::uint8_t { sky, light, surface };
+
+template <Books books>
 class Path {
 public:
-    Path(const World& world, const Ray& ray, Cone cone, Sequence& sequence, LightPaths* apart)
-        : world_(world), sequence_(sequence), ray_(ray), cone_(cone), apart_(apart) {}
+    using Book = std::conditional_t<books == Books::gathered, Gathered, LightPaths>;
+    Path(const World& world, const Ray& ray, Cone cone, Sequence& sequence, Book* book)
+        : world_(world), sequence_(sequence), ray_(ray), cone_(cone), book_(book) {}
 
     PathLight trace() {
         while (step()) {
         }
         return out_;
+    }
+
+    /// Begins at a surface that is seen already.
+    std::uint32_t gather(const Surface& surface, const Vec3& to_eye, float cone_m) {
+        const Bsdf bsdf(world_.model, surface, to_eye);
+        const Vec3& origin = surface.outside_m;
+        add_sampled_environment(bsdf, origin);
+        light_weight_ = Lights::every_light;
+        if (world_.lights.has_meshes())
+            add_light(bsdf, origin, {world_.lights.count() - 1, 1.0F, 0.0F}, sequence_.next());
+        if (scatter(bsdf, origin, cone_m))
+            while (step()) {
+            }
+        return out_.rays;
     }
 
 private:
@@ -44,7 +64,10 @@ private:
         ++out_.rays;
         const bool found =
             world_.geometry.intersect(ray_, from_camera() ? Viewer::camera : Viewer::light, hit);
-        if (!from_camera()) {
+        if constexpr (books == Books::gathered)
+            if (bounce_ == 1 && passed_ == 0) add_open_sky();
+        // Of the first surface in a picture that is lit already, listed lights are not the path's.
+        if (!from_camera() && !(books == Books::gathered && bounce_ == 1)) {
             Ray to_hit = ray_;
             if (found) to_hit.far_m = hit.distance_m;
             // A mirror's density has no bound: what the light draws itself counts nothing beside
@@ -52,7 +75,7 @@ private:
             constexpr float unbounded = 1e20F;
             add_scattered(
                 of_light_ * world_.lights.met(to_hit, mirrored_ ? unbounded : pdf_, light_weight_),
-                bounce_ == 1);
+                From::light);
         }
         if (!found) {
             add_environment();
@@ -74,30 +97,41 @@ private:
 
     void add(const Vec3& nit, [[maybe_unused]] Vec3 LightPaths::*way) {
         out_.radiance_nit += nit;
-        if constexpr (is_apart) apart_->*way += nit;
+        if constexpr (books == Books::by_path) book_->*way += nit;
     }
-    /// Light of a ray that surfaces have scattered already; `is_direct`: of a light that the ray
-    /// from the first of them met.
-    void add_scattered(const Vec3& nit, [[maybe_unused]] bool is_direct) {
-        out_.radiance_nit += nit;
-        if constexpr (is_apart) {
-            if (is_direct)
-                apart_->add_direct(nit, first_.of_light);
+    /// Light that reaches the first surface `at_once`, or by way of others.
+    void write(const Vec3& nit, const Bsdf::DiffuseShares& shares, From from, bool at_once) {
+        const Vec3& share =
+            at_once && from == From::light ? shares.of_light : shares.of_environment;
+        if constexpr (books == Books::by_path) {
+            if (at_once && from == From::light)
+                book_->add_direct(nit, share);
             else
-                apart_->add_indirect(nit, first_.of_environment);
+                book_->add_indirect(nit, share);
+        } else {
+            (at_once && from == From::sky ? book_->diffuse_sky : book_->diffuse_rest) +=
+                nit * share;
+            book_->specular += nit - nit * share;
         }
+    }
+    /// Light of a ray that surfaces have scattered already.
+    void add_scattered(const Vec3& nit, [[maybe_unused]] From from) {
+        out_.radiance_nit += nit;
+        if constexpr (books != Books::none) write(nit, first_, from, bounce_ == 1);
     }
     /// Light that was drawn, and that the surface at hand sends on.
     void add_drawn(const Vec3& nit, [[maybe_unused]] const Bsdf& bsdf,
-                   [[maybe_unused]] const Vec3& direction, [[maybe_unused]] bool is_light) {
+                   [[maybe_unused]] const Vec3& direction, [[maybe_unused]] From from) {
         out_.radiance_nit += nit;
-        if constexpr (is_apart) {
-            const auto shares = from_camera() ? bsdf.diffuse_shares(direction) : first_;
-            if (from_camera() && is_light)
-                apart_->add_direct(nit, shares.of_light);
-            else
-                apart_->add_indirect(nit, shares.of_environment);
-        }
+        if constexpr (books != Books::none)
+            write(nit, from_camera() ? bsdf.diffuse_shares(direction) : first_, from,
+                  from_camera());
+    }
+    /// What the diffuse lobe would get of the sky along the ray if nothing were in its way.
+    void add_open_sky() {
+        const EnvironmentLight::Light light = world_.environment.at(ray_.direction);
+        const float share = mirrored_ ? 1.0F : power_share(pdf_, light.pdf);
+        book_->diffuse_open += throughput_ * light.radiance_nit * share * first_.of_environment;
     }
 
     /// Goes on behind a blended surface that let the ray through.
@@ -118,7 +152,7 @@ private:
         if (from_camera())
             add(nit, &LightPaths::background);
         else
-            add_scattered(nit, false);
+            add_scattered(nit, From::sky);
     }
 
     /// A direction of the lobe that the prefiltered environment has along `axis`: light that a
@@ -138,7 +172,7 @@ private:
     }
 
     void add_emission(const Hit& hit, const Surface& surface) {
-        if (surface.unlit) add_seen(throughput_ * surface.base_color, false);
+        if (surface.unlit) add_seen(throughput_ * surface.base_color, From::surface);
         if (surface.emissive_nit == Vec3(0.0F)) return;
         // A surface that is single-sided shines to its front alone.
         const scene::Scene& scene = world_.scene;
@@ -147,13 +181,13 @@ private:
         float share = 1.0F;
         if (!from_camera() && !mirrored_)
             share = power_share(pdf_, world_.lights.mesh_pdf(hit, ray_, light_weight_));
-        add_seen(of_light_ * surface.emissive_nit * share, bounce_ == 1);
+        add_seen(of_light_ * surface.emissive_nit * share, From::light);
     }
-    void add_seen(const Vec3& nit, bool is_direct) {
+    void add_seen(const Vec3& nit, From from) {
         if (from_camera())
             add(nit, &LightPaths::emission);
         else
-            add_scattered(nit, is_direct);
+            add_scattered(nit, from);
     }
 
     void add_sampled_environment(const Bsdf& bsdf, const Vec3& origin) {
@@ -163,12 +197,15 @@ private:
         const Scattered f = bsdf.evaluate(sample.direction);
         if (f.of_environment == Vec3(0.0F)) return;
         ++out_.rays;
+        const float share = power_share(sample.light.pdf, f.pdf);
+        const Vec3 open =
+            throughput_ * f.of_environment * sample.light.radiance_nit * (share / sample.light.pdf);
+        if constexpr (books == Books::gathered)
+            if (from_camera())
+                book_->diffuse_open += open * bsdf.diffuse_shares(sample.direction).of_environment;
         const float through = world_.geometry.transmittance({origin, sample.direction});
         if (through <= 0.0F) return;
-        const float share = power_share(sample.light.pdf, f.pdf);
-        add_drawn(throughput_ * f.of_environment * sample.light.radiance_nit *
-                      (through * share / sample.light.pdf),
-                  bsdf, sample.direction, false);
+        add_drawn(open * through, bsdf, sample.direction, From::sky);
     }
 
     void add_sampled_lights(const Bsdf& bsdf, const Vec3& origin) {
@@ -203,7 +240,8 @@ private:
             const float own = sample.pdf * choice.probability;
             factor = through * power_share(own, f.pdf) / own;
         }
-        add_drawn(throughput_ * f.of_light * sample.light * factor, bsdf, sample.direction, true);
+        add_drawn(throughput_ * f.of_light * sample.light * factor, bsdf, sample.direction,
+                  From::light);
     }
 
     /// Draws where the light may come from, and turns the ray there. False where the path ends.
@@ -212,7 +250,7 @@ private:
         const math::Vec2 chance = sequence_.next_pair();
         const Bsdf::Sample sample = bsdf.sample(u, chance.x);
         if (!sample.is_valid) return false;
-        if constexpr (is_apart)
+        if constexpr (books != Books::none)
             if (from_camera())
                 first_ = sample.is_mirror ? Bsdf::DiffuseShares{}
                                           : bsdf.diffuse_shares(sample.direction);
@@ -247,7 +285,7 @@ private:
     std::uint32_t bounce_ = 0;
     std::uint32_t passed_ = 0;
     PathLight out_;
-    LightPaths* apart_;
+    Book* book_;
     Bsdf::DiffuseShares first_;  ///< at the first surface, in the direction that the path took
 };
 
@@ -255,8 +293,15 @@ private:
 
 PathLight trace_path(const World& world, const Ray& camera_ray, Cone cone, Sequence& sequence,
                      LightPaths* apart) {
-    if (apart == nullptr) return Path<false>(world, camera_ray, cone, sequence, nullptr).trace();
-    return Path<true>(world, camera_ray, cone, sequence, apart).trace();
+    if (apart == nullptr)
+        return Path<Books::none>(world, camera_ray, cone, sequence, nullptr).trace();
+    return Path<Books::by_path>(world, camera_ray, cone, sequence, apart).trace();
+}
+
+std::uint32_t gather_light(const World& world, const Surface& surface, const Vec3& to_eye,
+                           Cone cone, Sequence& sequence, Gathered& out) {
+    return Path<Books::gathered>(world, {}, cone, sequence, &out)
+        .gather(surface, to_eye, cone.width_m);
 }
 
 }  // namespace facet::trace

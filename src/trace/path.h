@@ -48,4 +48,16 @@ struct PathLight {
 [[nodiscard]] PathLight trace_path(const World& world, const Ray& camera_ray, Cone cone,
                                    Sequence& sequence, LightPaths* apart = nullptr);
 
+/// Light that one draw brings to a surface and that it sends to the viewer, in nit: of the sky, of
+/// meshes that emit, and by way of other surfaces; not of listed lights at once.
+struct Gathered {
+    math::Vec3 diffuse_sky{0.0F};   ///< of the sky at once
+    math::Vec3 diffuse_open{0.0F};  ///< what that would be if nothing stood in the way
+    math::Vec3 diffuse_rest{0.0F};
+    math::Vec3 specular{0.0F};
+};
+/// Adds one draw to `out`. `cone`: of a pixel at the surface. Returns the number of rays.
+std::uint32_t gather_light(const World& world, const Surface& surface, const math::Vec3& to_eye,
+                           Cone cone, Sequence& sequence, Gathered& out);
+
 }  // namespace facet::trace

@@ -140,6 +140,18 @@ void fill_material(const Point& point, Surface& s) {
     s.unlit = material.unlit;
 }
 
+/// Turns normals to the viewer, and finds the place beside the position that is free of its
+/// triangle. `face`: unit, on the front side.
+void set_sides(Surface& s, const Vec3& face, const Vec3& direction, const InstanceFrame& frame) {
+    s.front = math::dot(face, direction) <= 0.0F;
+    s.face_normal = s.front ? face : -face;
+    // As far along the normal as the error may lie along every axis (Pharr, Jakob & Humphreys 2023,
+    // Section 6.8.6).
+    const Vec3 spread = glm::abs(s.face_normal);
+    s.outside_m =
+        s.position_m + s.face_normal * (frame.rounding_m * (spread.x + spread.y + spread.z));
+}
+
 }  // namespace
 
 std::vector<InstanceFrame> instance_frames(const scene::Scene& scene) {
@@ -169,19 +181,47 @@ Surface surface_at(const scene::Scene& scene, const std::vector<InstanceFrame>& 
     s.position_m = position_m(point.instance, point.mesh, point.corners);
     const float area2 = math::length(hit.normal);
     const Vec3 face = hit.normal / std::max(area2, 1e-30F);
-    const float facing = math::dot(face, direction);
-    s.front = facing <= 0.0F;
-    point.set_footprint(area2, cone_m, std::fabs(facing));
+    set_sides(s, face, direction, frames[hit.instance]);
+    point.set_footprint(area2, cone_m, std::fabs(math::dot(face, direction)));
     fill_material(point, s);
     const float side = s.front ? 1.0F : -1.0F;
-    s.face_normal = face * side;
     s.normal = shading_normal(scene, frames[hit.instance].normal_from_object, point) * side;
-    // As far along the normal as the error may lie along every axis (Pharr, Jakob & Humphreys 2023,
-    // Section 6.8.6).
-    const Vec3 spread = glm::abs(s.face_normal);
-    s.outside_m = s.position_m + s.face_normal * (frames[hit.instance].rounding_m *
-                                                  (spread.x + spread.y + spread.z));
     if (!std::isfinite(s.normal.x + s.normal.y + s.normal.z)) s.normal = s.face_normal;
+    return s;
+}
+
+Surface seen_surface(const scene::Scene& scene, const std::vector<InstanceFrame>& frames,
+                     const SeenPixel& pixel, const Ray& from_eye) {
+    const auto corner = [&](float u, float v) {
+        return position_at(
+            scene, {.instance = pixel.instance, .triangle = pixel.triangle, .u = u, .v = v});
+    };
+    const Vec3 a = corner(0.0F, 0.0F);
+    const Vec3 ab = corner(1.0F, 0.0F) - a;
+    const Vec3 ac = corner(0.0F, 1.0F) - a;
+    const Vec3 normal = math::cross(ab, ac);
+    const float across = math::dot(normal, from_eye.direction);
+    float u = 1.0F / 3.0F;
+    float v = u;
+    if (across != 0.0F) {
+        const float distance = math::dot(normal, a - from_eye.origin) / across;
+        const Vec3 r = from_eye.origin + from_eye.direction * distance - a;
+        const float area2 = math::dot(normal, normal);
+        u = math::dot(math::cross(r, ac), normal) / area2;
+        v = math::dot(math::cross(ab, r), normal) / area2;
+        u = std::isfinite(u) ? std::clamp(u, 0.0F, 1.0F) : 0.0F;
+        v = std::isfinite(v) ? std::clamp(v, 0.0F, 1.0F - u) : 0.0F;
+    }
+    Surface s;
+    s.instance = pixel.instance;
+    s.material = scene.meshes[scene.instances[pixel.instance].mesh.index].material.index;
+    s.position_m = corner(u, v);
+    s.normal = pixel.normal;
+    s.base_color = pixel.base_color;
+    s.metallic = pixel.metallic;
+    s.roughness = pixel.roughness;
+    const float length = math::length(normal);
+    set_sides(s, normal / std::max(length, 1e-30F), from_eye.direction, frames[pixel.instance]);
     return s;
 }
 

@@ -42,6 +42,23 @@ struct InstanceFrame {
                                  const std::vector<InstanceFrame>& frames, const Textures& textures,
                                  const Hit& hit, const math::Vec3& direction, float cone_m);
 
+/// One pixel of a picture as a rasteriser stored it: which triangle is seen, and the numbers that
+/// textures gave there.
+struct SeenPixel {
+    static constexpr std::uint32_t nothing = ~0U;
+    std::uint32_t instance = nothing;
+    std::uint32_t triangle = 0;
+    math::Vec3 normal{0.0F};  ///< unit, shading, on the side of the viewer
+    math::Vec3 base_color{0.0F};
+    float metallic = 0.0F;
+    float roughness = 1.0F;
+};
+/// The surface of such a pixel where a ray from the eye meets its triangle's plane; edges are
+/// drawn a little beyond it.
+[[nodiscard]] Surface seen_surface(const scene::Scene& scene,
+                                   const std::vector<InstanceFrame>& frames, const SeenPixel& pixel,
+                                   const Ray& from_eye);
+
 /// Share of light that the surface takes there, from the finest level: 1 where it is opaque, 0 in a
 /// mask's hole, a blend's opacity.
 [[nodiscard]] float coverage_at(const scene::Scene& scene, const Textures& textures,

@@ -5,7 +5,9 @@
 #include "trace/aov.h"
 #include "trace/camera.h"
 #include "trace/film.h"
+#include "trace/gather.h"
 #include "trace/path.h"
+#include "trace/visibility.h"
 
 #include <spdlog/fmt/fmt.h>
 
@@ -195,6 +197,17 @@ Traced Tracer::trace(const TraceSettings& settings, base::ThreadPool& pool,
     out.build_s = impl_->build_s;
     out.trace_s = seconds_since(start);
     return out;
+}
+
+IndirectPixels Tracer::gather(const Seen& seen, const GatherSettings& settings,
+                              base::ThreadPool& pool) const {
+    return trace::gather(impl_->world(settings.bounces), seen, settings, pool);
+}
+
+std::vector<std::uint8_t> Tracer::light_visibility(const Seen& seen, const LightChoice& lights,
+                                                   std::size_t slots,
+                                                   base::ThreadPool& pool) const {
+    return trace::light_visibility(impl_->world(0), seen, lights, slots, pool);
 }
 
 std::vector<image::Layer> Tracer::aovs(const TraceSettings& settings,

@@ -12,6 +12,7 @@
 #include "scene/scene.h"
 #include "tables/aovs.h"
 #include "tables/brdf_terms.h"
+#include "trace/seen.h"
 
 #include <atomic>
 #include <functional>
@@ -88,6 +89,14 @@ public:
     [[nodiscard]] std::vector<image::Layer> aovs(const TraceSettings& settings,
                                                  const std::vector<tables::Aov>& aovs,
                                                  base::ThreadPool& pool) const;
+
+    /// For a rasteriser's picture: see seen.h.
+    [[nodiscard]] IndirectPixels gather(const Seen& seen, const GatherSettings& settings,
+                                        base::ThreadPool& pool) const;
+    [[nodiscard]] std::vector<std::uint8_t> light_visibility(const Seen& seen,
+                                                             const LightChoice& lights,
+                                                             std::size_t slots,
+                                                             base::ThreadPool& pool) const;
 
 private:
     struct Impl;

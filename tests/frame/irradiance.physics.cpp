@@ -36,8 +36,8 @@ TEST(EnvironmentIrradiance, EqualsTheClosedFormsWhateverTheAxis) {
                 n[axis] = c;
                 n[(axis + 1) % 3] = std::sqrt(1.0F - c * c);
                 const double expected = row[column].get<double>() / pi;
-                // Texels 11 degrees apart: measured 0.0079, where four of them meet on the axis.
-                EXPECT_NEAR(static_cast<double>(irradiance_over_pi(baked, n).x), expected, 8.5e-3)
+                // Texels 6 degrees apart: between two, a cosine's chord is 0.12 % lower at most.
+                EXPECT_NEAR(static_cast<double>(irradiance_over_pi(baked, n).x), expected, 3.5e-3)
                     << "column " << column << " axis " << axis << " cosine " << c;
             }
         }
@@ -52,7 +52,8 @@ TEST(EnvironmentIrradiance, LoneSunLightsByTheCosineAndNothingBehindTheTerminato
     for (int degrees = 0; degrees <= 180; degrees += 5) {
         const Vec3 n = math::direction_from(180.0F + static_cast<float>(degrees), 0.0F);
         const double cosine = std::max(0.0, std::cos(degrees * pi / 180.0));
-        EXPECT_NEAR(static_cast<double>(irradiance_over_pi(baked, n).x) * pi / beam, cosine, 0.03)
+        const double edge = std::abs(degrees - 90) < 10 ? 0.035 : 0.01;
+        EXPECT_NEAR(static_cast<double>(irradiance_over_pi(baked, n).x) * pi / beam, cosine, edge)
             << degrees;
     }
 }

@@ -58,7 +58,8 @@ TEST_F(LayoutTest, TheDriverPlacesEveryMemberOfViewWhereTheCompilerDoes) {
     for (const Member& m :
          {MEMBER(View, clip_from_world), MEMBER(View, world_from_clip), MEMBER(View, eye_m),
           MEMBER(View, forward), MEMBER(View, size_px), MEMBER(View, light_counts),
-          MEMBER(View, environment), MEMBER(View, background), MEMBER(View, key_light)})
+          MEMBER(View, environment), MEMBER(View, background), MEMBER(View, pixel),
+          MEMBER(View, rays), MEMBER(View, key_light)})
         EXPECT_EQ(offset((std::string("view.") + m.name).c_str()), static_cast<GLint>(m.offset))
             << m.name;
 }

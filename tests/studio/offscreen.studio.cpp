@@ -94,7 +94,8 @@ shot redone.png
     EXPECT_EQ(before.size, (math::Extent{window_width, window_height}));
     // The ball of that material, and those on its right.
     EXPECT_GT(changed(before, after, 0.37, 0.13, 0.455, 0.26), 0.1);
-    EXPECT_EQ(changed(before, after, 0.47, 0.10, 0.62, 0.50, 0), 0.0);
+    // Only what mirrors it a little changes with it.
+    EXPECT_LT(changed(before, after, 0.47, 0.10, 0.62, 0.50), 0.02);
     EXPECT_TRUE(text_of(folder / "before.png") == text_of(folder / "undone.png"));
     EXPECT_TRUE(text_of(folder / "after.png") == text_of(folder / "redone.png"));
 }

@@ -65,15 +65,18 @@ inline Vec3 reflected(const BakedEnvironment& baked, const Vec3& direction) {
     return texel(baked, 0, p.face, index(p.t), index(p.s));
 }
 
-/// E(n) / pi as the shader finds it: the last level, filtered across the edges of its faces.
+/// E(n) / pi as the shader finds it: filtered across the edges of faces.
 inline Vec3 irradiance_over_pi(const BakedEnvironment& baked, const Vec3& n) {
-    const std::uint32_t side = baked.face_px >> (baked.radiance.size() - 1);
+    const std::uint32_t side = BakedEnvironment::irradiance_px;
     CubeMip mip = make_mip(side);
     for (std::uint32_t face = 0; face < 6; ++face)
         for (std::size_t row = 0; row < side; ++row)
             for (std::size_t column = 0; column < side; ++column) {
-                const Vec3 value = texel(baked, baked.radiance.size() - 1, face, row, column);
-                mip.at(face, row, column) = Lanes{value.x, value.y, value.z, 0.0F};
+                const std::uint16_t* p =
+                    baked.irradiance.data() + ((face * side + row) * side + column) * 4;
+                mip.at(face, row, column) =
+                    Lanes{math::float_from_half(p[0]), math::float_from_half(p[1]),
+                          math::float_from_half(p[2]), 0.0F};
             }
     fill_borders(mip);
     FourDirections d{};

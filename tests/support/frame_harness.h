@@ -55,7 +55,7 @@ public:
         const auto text = brdf::glsl_text(shot.brdf);
         if (!text) return tl::unexpected(text.error());
         const gl::ShaderSources sources{FACET_SOURCE_DIR "/glsl", {{"generated/brdf.glsl", *text}}};
-        auto scene = frame::upload_scene(*gl_, shot.scene, frame::Filtering::trilinear, pool);
+        auto scene = frame::upload_scene(*gl_, shot.scene, frame::Filtering{}, pool);
         if (!scene) return tl::unexpected(scene.error());
         const brdf::AlbedoTable table = brdf::albedo_table(shot.brdf);
         base::Warnings warnings;

@@ -16,6 +16,9 @@ layout(location = 3) out vec4 out_emissive_nit;   // RGBA32F
 #if FACET_ID_TARGET
 layout(location = FACET_ID_LOCATION) out uvec2 out_ids;  // RG32UI: object, material; 0 is the background
 #endif
+#if FACET_TRIANGLE_TARGET
+layout(location = FACET_TRIANGLE_LOCATION) out uvec2 out_triangle;  // RG32UI: index of the draw, of its triangle
+#endif
 
 void main() {
     Surface s = fetch_surface();
@@ -35,5 +38,8 @@ void main() {
 #endif
 #if FACET_ID_TARGET
     out_ids = draw.ids.xy;
+#endif
+#if FACET_TRIANGLE_TARGET
+    out_triangle = uvec2(draw.ids.w, uint(gl_PrimitiveID));
 #endif
 }

@@ -6,11 +6,19 @@
 #include "light/spot.glsl"
 
 uniform samplerCube radiance_cube;   // prefiltered; see frame/environment/bake.h
+uniform samplerCube irradiance_cube;  // over pi
 uniform sampler2D albedo_table;      // A, B of the split sum and average E; see brdf/albedo.h
 uniform samplerBuffer lights;        // three texels a light, see frame/lighting/light_lists.h
 #if FACET_LOCAL_LIGHTS
 uniform usamplerBuffer light_tiles;    // first, count
 uniform usamplerBuffer light_indices;
+#endif
+
+#if FACET_VISIBILITY
+uniform samplerBuffer light_visibility;  // [slot, pixel]: share of a light that arrives, by its place in the tile's list
+#endif
+#if FACET_INDIRECT
+#include "frame/lighting/indirect.glsl"
 #endif
 
 struct ShadePoint {
@@ -49,8 +57,7 @@ void add_emission(vec3 base_color, float unlit, vec3 emissive_nit) {
 }
 #endif
 
-// At roughness 1 and n = v = l GGX is even: what that level holds is the cosine's own mean, irradiance over pi.
-vec3 irradiance_over_pi(vec3 n) { return textureLod(radiance_cube, n, view.environment.x).rgb * view.environment.y; }
+vec3 irradiance_over_pi(vec3 n) { return textureLod(irradiance_cube, n, 0.0).rgb * view.environment.y; }
 
 #ifdef FACET_EXPLAIN
 float explain_distance_m = 0.0;  // to the light at hand; 0: infinitely far
@@ -84,6 +91,17 @@ vec3 lit_by(ShadePoint p, BrdfView brdf, vec3 to_light, vec3 illuminance) {
     return (f.diffuse + f.specular) * illuminance * n_dot_l;
 }
 
+// Share of a light's rays that reach this pixel. Slots that there was no room for are taken to be lit.
+float light_visible(uint slot) {
+#if FACET_VISIBILITY
+    if (slot >= view.rays.y) return 1.0;
+    uvec2 pixel = uvec2(gl_FragCoord.xy);
+    return texelFetch(light_visibility, int(slot * view.rays.x + pixel.y * view.rays.z + pixel.x)).r;
+#else
+    return 1.0;
+#endif
+}
+
 vec3 shade(ShadePoint p) {
     float n_dot_v = clamp(dot(p.normal, p.to_eye), N_DOT_V_MIN, 1.0);
     BrdfSurface surface = brdf_surface(p.base_color, p.metallic, max(p.roughness, ROUGHNESS_MIN));
@@ -102,7 +120,24 @@ vec3 shade(ShadePoint p) {
     explained.environment_diffuse = vec4(balance.diffuse, 0.0);
     explained.environment_specular = vec4(balance.specular, 0.0);
 #endif
+#if FACET_INDIRECT
+    BrdfValue w = brdf_environment(brdf);
+    IndirectLight found = indirect_light(p.position_m, p.normal);
+    vec3 arriving = found.rest;
 #if FACET_ENVIRONMENT
+    arriving += irradiance_over_pi(p.normal) * found.sky;
+#endif
+    radiance = w.diffuse * arriving + w.specular * found.specular;
+#ifdef FACET_EXPLAIN
+    explained.numbers.z = 1.0;  // rays find what is occluded
+    explained.irradiance = vec4(arriving, 0.0);
+    explained.prefiltered = vec4(found.specular, 0.0);
+#endif
+#if FACET_LIGHT_PATHS
+    paths.diffuse_indirect = w.diffuse * arriving;
+    paths.specular_indirect = w.specular * found.specular;
+#endif
+#elif FACET_ENVIRONMENT
     BrdfValue w = brdf_environment(brdf);
     vec3 mirrored = reflect(-p.to_eye, p.normal);
     float level = p.roughness * view.environment.x;
@@ -124,7 +159,7 @@ vec3 shade(ShadePoint p) {
 #ifdef FACET_EXPLAIN
         explain_light = i;
 #endif
-        radiance += lit_by(p, brdf, -direction, light_directional(intensity_lux));
+        radiance += lit_by(p, brdf, -direction, light_directional(intensity_lux) * light_visible(i));
     }
 #if FACET_LOCAL_LIGHTS
     uvec2 tile = uvec2(gl_FragCoord.xy) / TILE_PX;
@@ -144,7 +179,7 @@ vec3 shade(ShadePoint p) {
         explain_distance_m = sqrt(d2);
 #endif
         float cone = light_spot(-dot(to_light, direction_offset.xyz), intensity_scale.w, direction_offset.w);
-        vec3 illuminance = light_point(intensity_scale.rgb, d2, position_range.w) * cone;
+        vec3 illuminance = light_point(intensity_scale.rgb, d2, position_range.w) * cone * light_visible(view.light_counts.x + i);
         radiance += lit_by(p, brdf, to_light, illuminance);
     }
 #endif

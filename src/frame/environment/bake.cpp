@@ -3,6 +3,7 @@
 #include "frame/environment/bake.h"
 
 #include "frame/environment/cube_pyramid.h"
+#include "frame/environment/irradiance.h"
 #include "frame/environment/panorama.h"
 #include "frame/environment/prefilter.h"
 #include "math/half.h"
@@ -48,6 +49,15 @@ float unit_for(const image::Image& latlong, float intensity) {
         std::exp2(std::ceil(std::log2(most / static_cast<double>(math::half_max)))));
 }
 
+std::vector<std::uint16_t> halves_of(const CubeMip& mip) {
+    const std::size_t side = mip.side;
+    std::vector<std::uint16_t> out(6 * side * side * 4);
+    for (std::uint32_t face = 0; face < 6; ++face)
+        for (std::size_t row = 0; row < side; ++row)
+            store_halves(&mip.at(face, row, 0), side, out.data() + (face * side + row) * side * 4);
+    return out;
+}
+
 }  // namespace
 
 BakedEnvironment bake_environment(const image::Image& latlong, float rotation_deg, float intensity,
@@ -59,6 +69,8 @@ BakedEnvironment bake_environment(const image::Image& latlong, float rotation_de
     out.face_px = std::bit_ceil(wanted);
     out.unit_nit = unit_for(latlong, intensity);
     const Panorama panorama = make_panorama(latlong, intensity / out.unit_nit, pool);
+    out.irradiance = halves_of(
+        irradiance_over_pi(panorama, rotation_deg, BakedEnvironment::irradiance_px, pool));
     CubePyramid pyramid = make_cube_pyramid(panorama, out.face_px, rotation_deg, pool);
     if (pyramid.overflowed)
         warnings.push_back(
@@ -69,7 +81,10 @@ BakedEnvironment bake_environment(const image::Image& latlong, float rotation_de
              .remedy = "lower --env-intensity"});
     const auto levels =
         static_cast<std::uint32_t>(std::countr_zero(out.face_px / last_level_px)) + 1;
-    out.radiance = prefilter(pyramid, levels, pool);
+    std::vector<CubeMip> maps = prefilter(pyramid, levels, pool);
+    for (const CubeMip& map : maps) out.radiance.push_back(halves_of(map));
+    maps.erase(maps.begin(), maps.begin() + BakedEnvironment::first_kept - 1);
+    out.kept = std::move(maps);
     out.radiance.insert(out.radiance.begin(), std::move(pyramid.level0));
     return out;
 }

@@ -4,6 +4,7 @@
 
 #include "base/result.h"
 #include "base/thread_pool.h"
+#include "frame/environment/cube_mip.h"
 #include "image/image.h"
 #include "math/vector.h"
 
@@ -12,15 +13,20 @@
 
 namespace facet::frame {
 
-/// Level i of `radiance` is prefiltered for roughness i / (levels - 1); 0 is the picture itself,
-/// the last one irradiance over pi (see lobe.h).
+/// Level i of `radiance` is prefiltered for roughness i / (levels - 1); 0 is the picture itself.
 struct BakedEnvironment {
     std::uint32_t face_px =
         0;  ///< side of a face of level 0; each level has half the side of the one before
     /// Half floats [6, side, side, 4] per level, faces in GL's order +x -x +y -y +z -z, rows as GL
     /// wants them.
     std::vector<std::vector<std::uint16_t>> radiance;
-    float unit_nit = 1.0F;  ///< what 1 in `radiance` is: a power of two, 1 but for blinding light
+    static constexpr std::uint32_t irradiance_px = 16;
+    /// Irradiance / pi, half floats [6, 16, 16, 4] likewise.
+    std::vector<std::uint16_t> irradiance;
+    /// The levels of roughness above `first_kept`, in floats, for look-ups on the CPU.
+    std::vector<CubeMip> kept;
+    static constexpr std::size_t first_kept = 2;
+    float unit_nit = 1.0F;  ///< what 1 in all of them is: a power of two, 1 but for blinding light
 };
 
 /// Bakes `latlong` ([h, w, 3] f32, nit) turned counter-clockwise (seen from above) by

@@ -2,21 +2,33 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "frame/environment/bake.h"
+#include "base/result.h"
+#include "base/thread_pool.h"
+#include "frame/environment/cube_mip.h"
 #include "gl/objects.h"
 #include "scene/environment.h"
+
+#include <span>
+#include <vector>
 
 namespace facet::frame {
 
 struct EnvironmentMaps {
-    gl::Texture radiance_cube;  ///< RGBA16F, prefiltered
-    gl::Texture albedo_table;   ///< RGBA32F, brdf/albedo.h
+    gl::Texture radiance_cube;    ///< RGBA16F, prefiltered
+    gl::Texture irradiance_cube;  ///< RGBA16F, over pi
+    gl::Texture albedo_table;     ///< RGBA32F, brdf/albedo.h
     gl::Sampler cube_sampler;
     gl::Sampler table_sampler;
     float last_level = 0.0F;
-    float unit_nit = 1.0F;  ///< what 1 in the cube is
-    bool is_black = false;  ///< nothing to light with: its code is left out
+    float unit_nit = 1.0F;      ///< what 1 in the cube is
+    std::vector<CubeMip> kept;  ///< BakedEnvironment's
+    bool is_black = false;      ///< nothing to light with: its code is left out
 };
+
+/// Radiance in nit that a surface of that roughness would mirror from a unit direction, from the
+/// nearest level on the CPU.
+[[nodiscard]] math::Vec3 prefiltered(const EnvironmentMaps& maps, const math::Vec3& direction,
+                                     float roughness);
 
 struct EnvironmentSettings {
     float rotation_deg = 0.0F;

@@ -75,37 +75,29 @@ CubeMip mixed(const std::vector<Part>& parts, float alpha, std::uint32_t side,
     return out;
 }
 
-std::vector<std::uint16_t> halves_of(const CubeMip& mip) {
-    const std::size_t side = mip.side;
-    std::vector<std::uint16_t> out(6 * side * side * 4);
-    for (std::uint32_t face = 0; face < 6; ++face)
-        for (std::size_t row = 0; row < side; ++row)
-            store_halves(&mip.at(face, row, 0), side, out.data() + (face * side + row) * side * 4);
-    return out;
-}
-
 }  // namespace
 
-std::vector<std::vector<std::uint16_t>> prefilter(const CubePyramid& pyramid, std::uint32_t levels,
-                                                  base::ThreadPool& pool) {
+std::vector<CubeMip> prefilter(const CubePyramid& pyramid, std::uint32_t levels,
+                               base::ThreadPool& pool) {
     const std::uint32_t face_px = pyramid.mips[0].side * 2;
     const auto alpha_of = [&](std::uint32_t level) {
         const float roughness = static_cast<float>(level) / static_cast<float>(levels - 1);
         return roughness * roughness;
     };
-    std::vector<std::vector<std::uint16_t>> out(levels - 1);
+    std::vector<CubeMip> out(levels - 1);
     std::vector<Part> parts = gaussian_parts(pyramid, alpha_of(1), pool);
     for (std::uint32_t level = levels - 1; level > 0; --level) {
         const float alpha = alpha_of(level);
         const std::uint32_t side = face_px >> level;
         if (alpha > wide_alpha) {
             CubeMip map = through_wide_lobe(pyramid, side, alpha, pool);
-            out[level - 1] = halves_of(map);
+            out[level - 1] = map;
             parts.push_back({std::move(map), tabulate([alpha](double theta) {
                                  return lobe_weight(theta, static_cast<double>(alpha));
                              })});
         } else {
-            out[level - 1] = halves_of(mixed(parts, alpha, side, pool));
+            out[level - 1] = mixed(parts, alpha, side, pool);
+            fill_borders(out[level - 1]);
         }
     }
     return out;

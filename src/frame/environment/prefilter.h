@@ -10,13 +10,12 @@
 
 namespace facet::frame {
 
-/// Levels 1 to `levels` - 1 as halves [6, side, side, 4], level i for roughness i / (levels - 1)
+/// Levels 1 to `levels` - 1 as maps with borders, level i for roughness i / (levels - 1)
 /// and of the side face >> i:  integral L(l) D(h) (n.l) dl / integral D(h) (n.l) dl, n = v = l.
 /// Karis 2013 Wide lobes are summed over every texel of a small mip. Narrow ones are mixtures of
 /// Gaussians and of the wide ones: random samples of a lobe miss a sun or show it as dots, and cost
 /// ten times as much.
-[[nodiscard]] std::vector<std::vector<std::uint16_t>> prefilter(const CubePyramid& pyramid,
-                                                                std::uint32_t levels,
-                                                                base::ThreadPool& pool);
+[[nodiscard]] std::vector<CubeMip> prefilter(const CubePyramid& pyramid, std::uint32_t levels,
+                                             base::ThreadPool& pool);
 
 }  // namespace facet::frame

@@ -92,6 +92,12 @@ base::Result<Explainer::Records> Explainer::record(const gl::Context& gl, const 
         const std::size_t row = size.height - 1 - pixels[i].y;
         asked[head + row * size.width + pixels[i].x] = static_cast<std::uint32_t>(i + 1);
     }
+    if (index == 0) {
+        // Surfaces at the pixels' middles are none that a sample shows.
+        asked_ = gl::make_buffer(gl, std::vector<std::byte>(asked.size() * sizeof(asked[0])));
+        gl.api().BindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, asked_.name());
+        if (auto found = frame_.find_indirect(gl, in); !found) return tl::unexpected(found.error());
+    }
     for (;;) {
         asked[0] = size.width;
         asked[2] = room_.surfaces;

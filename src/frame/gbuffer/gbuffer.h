@@ -13,6 +13,7 @@ struct GBufferSpec {
     math::Extent size;
     bool emissive = false;
     bool ids = false;
+    bool triangles = false;  ///< for rays that begin at what is seen
     bool operator==(const GBufferSpec&) const = default;
 };
 
@@ -26,8 +27,13 @@ struct GBuffer {
     gl::Texture metal_rough_ao;
     gl::Texture emissive_nit;  ///< RGBA32F; 1x1 where not asked for
     gl::Texture ids;           ///< RG32UI: object, material; 1x1 where not asked for
+    gl::Texture triangles;     ///< RG32UI: draw, triangle; 1x1 where not asked for
     gl::Texture depth;
     gl::Framebuffer framebuffer;
+
+    /// Where a target stands among the framebuffer's.
+    [[nodiscard]] int ids_place() const { return spec.emissive ? 4 : 3; }
+    [[nodiscard]] int triangles_place() const { return ids_place() + (spec.ids ? 1 : 0); }
 
     [[nodiscard]] static base::Result<GBuffer> create(const gl::Context& gl,
                                                       const GBufferSpec& spec);
@@ -54,6 +60,7 @@ private:
         MaterialKey material;
         bool emissive = false;
         bool ids = false;
+        bool triangles = false;
         auto operator<=>(const Key&) const = default;
     };
     [[nodiscard]] base::Result<gl::Program> make(const gl::Context& gl, const Key& key) const;

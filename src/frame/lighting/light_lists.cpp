@@ -94,7 +94,8 @@ std::vector<std::size_t> packing_order(std::span<const scene::Light> lights) {
 
 PackedLights pack_lights(std::span<const scene::Light> lights) {
     PackedLights packed;
-    for (const std::size_t index : packing_order(lights)) {
+    packed.order = packing_order(lights);
+    for (const std::size_t index : packed.order) {
         push(packed.texels, lights[index]);
         if (lights[index].kind == tables::LightKind::directional) ++packed.directional_count;
     }

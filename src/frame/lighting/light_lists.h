@@ -17,6 +17,7 @@ inline constexpr std::uint32_t tile_px = 16;  ///< lighting/shade.glsl's TILE_PX
 /// (position, 1/range^2), (color * intensity, cone scale), (direction, cone offset).
 struct PackedLights {
     std::vector<math::Vec4> texels;
+    std::vector<std::size_t> order;  ///< which of the lights each is
     std::uint32_t directional_count = 0;
     std::uint32_t count = 0;
 };

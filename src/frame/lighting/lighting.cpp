@@ -10,7 +10,19 @@ namespace facet::frame {
 namespace {
 
 /// Units after those of a material's textures, so that blend can bind both.
-enum Unit : GLuint { cube_unit = 5, table_unit, lights_unit, tiles_unit, indices_unit };
+enum Unit : GLuint {
+    cube_unit = 5,
+    irradiance_unit,
+    table_unit,
+    lights_unit,
+    tiles_unit,
+    indices_unit,
+    visibility_unit,
+    sky_unit,
+    rest_unit,
+    specular_unit,
+    guide_unit
+};
 /// Units of the G-buffer, where the material's are otherwise.
 enum GBufferUnit : GLuint { albedo_unit = 0, normal_unit, metal_unit, depth_unit, emissive_unit };
 
@@ -35,6 +47,7 @@ base::Result<gl::Program> make(const gl::Context& gl, const gl::ShaderSources& s
 std::string defines(const ShadeKey& key) {
     std::string text = define("ENVIRONMENT", key.environment) +
                        define("LOCAL_LIGHTS", key.local_lights) +
+                       define("VISIBILITY", key.visibility) + define("INDIRECT", key.indirect) +
                        define("LIGHT_PATHS", !key.paths.empty());
     std::string outputs;
     std::string writes;
@@ -71,19 +84,34 @@ void update_lists(const gl::Context& gl, const LightBuffers& buffers, const Ligh
 
 void set_shade_samplers(const gl::Context& gl, const gl::Program& program) {
     gl::bind_sampler(gl, program, "radiance_cube", cube_unit);
+    gl::bind_sampler(gl, program, "irradiance_cube", irradiance_unit);
     gl::bind_sampler(gl, program, "albedo_table", table_unit);
     gl::bind_sampler(gl, program, "lights", lights_unit);
     gl::bind_sampler(gl, program, "light_tiles", tiles_unit);
     gl::bind_sampler(gl, program, "light_indices", indices_unit);
+    gl::bind_sampler(gl, program, "light_visibility", visibility_unit);
+    gl::bind_sampler(gl, program, "indirect_sky", sky_unit);
+    gl::bind_sampler(gl, program, "indirect_rest", rest_unit);
+    gl::bind_sampler(gl, program, "indirect_specular", specular_unit);
+    gl::bind_sampler(gl, program, "indirect_guide", guide_unit);
 }
 
 void bind_shade_textures(const gl::Context& gl, const ShadeInputs& in) {
     const EnvironmentMaps& e = in.environment;
     gl::bind_texture(gl, cube_unit, GL_TEXTURE_CUBE_MAP, e.radiance_cube, &e.cube_sampler);
+    gl::bind_texture(gl, irradiance_unit, GL_TEXTURE_CUBE_MAP, e.irradiance_cube, &e.cube_sampler);
     gl::bind_texture(gl, table_unit, GL_TEXTURE_2D, e.albedo_table, &e.table_sampler);
     gl::bind_texture(gl, lights_unit, GL_TEXTURE_BUFFER, in.lights.lights_texture, nullptr);
     gl::bind_texture(gl, tiles_unit, GL_TEXTURE_BUFFER, in.lights.tiles_texture, nullptr);
     gl::bind_texture(gl, indices_unit, GL_TEXTURE_BUFFER, in.lights.indices_texture, nullptr);
+    if (in.key.visibility)
+        gl::bind_texture(gl, visibility_unit, GL_TEXTURE_BUFFER, in.rays.visibility_texture,
+                         nullptr);
+    if (!in.key.indirect) return;
+    gl::bind_texture(gl, sky_unit, GL_TEXTURE_2D, in.rays.sky, nullptr);
+    gl::bind_texture(gl, rest_unit, GL_TEXTURE_2D, in.rays.rest, nullptr);
+    gl::bind_texture(gl, specular_unit, GL_TEXTURE_2D, in.rays.specular, nullptr);
+    gl::bind_texture(gl, guide_unit, GL_TEXTURE_2D, in.rays.guide, nullptr);
 }
 
 base::Result<RadianceTarget> RadianceTarget::create(const gl::Context& gl, math::Extent size,

@@ -5,6 +5,7 @@
 #include "frame/environment/environment_maps.h"
 #include "frame/gbuffer/gbuffer.h"
 #include "frame/lighting/light_lists.h"
+#include "frame/rays/rays.h"
 #include "frame/shared.h"
 #include "tables/aovs.h"
 
@@ -17,6 +18,8 @@ namespace facet::frame {
 struct ShadeKey {
     bool environment = true;
     bool local_lights = false;
+    bool visibility = false;         ///< of lights, and
+    bool indirect = false;           ///< indirect light, as rays found them
     std::vector<tables::Aov> paths;  ///< light paths, a target each in place of their sum
     auto operator<=>(const ShadeKey&) const = default;
 };
@@ -36,6 +39,7 @@ struct ShadeInputs {
     ShadeKey key;
     const EnvironmentMaps& environment;
     const LightBuffers& lights;
+    const RayTextures& rays;
 };
 void set_shade_samplers(const gl::Context& gl, const gl::Program& program);
 void bind_shade_textures(const gl::Context& gl, const ShadeInputs& in);

@@ -30,11 +30,12 @@ GLint gl_wrap(scene::Wrap wrap) {
     return GL_REPEAT;
 }
 
-gl::SamplerSpec sampler_spec(const scene::Texture& texture, bool trilinear) {
+gl::SamplerSpec sampler_spec(const scene::Texture& texture, bool trilinear, float level_bias) {
     return {.min_filter = trilinear ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR_MIPMAP_NEAREST,
             .mag_filter = texture.nearest ? GL_NEAREST : GL_LINEAR,
             .wrap_s = gl_wrap(texture.wrap_u),
-            .wrap_t = gl_wrap(texture.wrap_v)};
+            .wrap_t = gl_wrap(texture.wrap_v),
+            .level_bias = level_bias};
 }
 
 shared::Draw block_of(const scene::Instance& instance, const scene::Material& material,
@@ -63,7 +64,8 @@ public:
     Uploader(const gl::Context& gl, const scene::Scene& scene, Filtering filtering, GpuScene& out)
         : gl_(gl), scene_(scene), filtering_(filtering), out_(out) {}
 
-    void add_draw(const scene::Instance& instance) {
+    void add_draw(std::uint32_t index) {
+        const scene::Instance& instance = scene_.instances[index];
         const MeshRange& range = out_.mesh_ranges[instance.mesh.index];
         const scene::Mesh& mesh = scene_.meshes[instance.mesh.index];
         const scene::Material& material = scene_.materials[mesh.material.index];
@@ -74,6 +76,7 @@ public:
         draw.first_index = range.first_index;
         draw.base_vertex = range.base_vertex;
         draw.center_m = Vec3(instance.world_from_object * Vec4(mesh.bounds_m.center(), 1.0F));
+        draw.instance = index;
         draw.blended = material.alpha_mode == scene::AlphaMode::blend;
         draw.double_sided = material.double_sided;
         for (std::size_t slot = 0; slot < material.textures.size(); ++slot)
@@ -94,7 +97,8 @@ private:
             {scene_.images[texture.image.index].pixels, tables::material_textures[slot].space});
         if (use == out_.textures.end()) return {};
         const bool color = tables::material_textures[slot].space == tables::Space::srgb;
-        const auto spec = sampler_spec(texture, color || filtering_ == Filtering::trilinear);
+        const auto spec =
+            sampler_spec(texture, color || !filtering_.is_fast, filtering_.level_bias);
         auto sampler = out_.samplers.find(spec);
         if (sampler == out_.samplers.end())
             sampler = out_.samplers.emplace(spec, gl::make_sampler(gl_, spec)).first;
@@ -158,7 +162,7 @@ base::Status update_scene(const gl::Context& gl, const scene::Scene& scene, Filt
     out.draws.clear();
     out.emits = false;
     Uploader uploader(gl, scene, filtering, out);
-    for (const scene::Instance& instance : scene.instances) uploader.add_draw(instance);
+    for (std::uint32_t i = 0; i < scene.instances.size(); ++i) uploader.add_draw(i);
     uploader.finish();
     return gl.check("upload");
 }

@@ -31,6 +31,7 @@ struct Draw {
     std::size_t first_index = 0;
     GLint base_vertex = 0;
     std::size_t block_offset = 0;  ///< of its DrawBlock in `draw_blocks`
+    std::uint32_t instance = 0;    ///< of the scene
     math::Vec3 center_m{0.0F};     ///< of its bounds, world space: the order of drawing
     bool blended = false;
     bool double_sided = false;
@@ -60,8 +61,12 @@ struct GpuScene {
     bool emits = false;  ///< some opaque material has emission
 };
 
-/// How textures other than the base colour are filtered: `fast` takes the nearest mip.
-enum class Filtering { fast, trilinear };
+/// How textures are filtered.
+struct Filtering {
+    bool is_fast = false;     ///< the nearest mip, but of base colours
+    float level_bias = 0.0F;  ///< below 0: finer mips, where a pixel is the mean of many samples
+    bool operator==(const Filtering&) const = default;
+};
 
 /// Indices of the draws, near to far: what is behind is then rejected by depth before it is shaded.
 [[nodiscard]] std::vector<std::size_t> near_to_far(const GpuScene& scene, const shared::View& view);

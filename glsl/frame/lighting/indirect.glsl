@@ -1,0 +1,51 @@
+// Indirect light that rays found at some pixels (frame/rays), brought to this one from those of its own surface.
+#include "lib/octahedral.glsl"
+uniform sampler2D indirect_sky;       // rgb: share of the environment's irradiance; a: 0 where unknown
+uniform sampler2D indirect_rest;      // rgb: other irradiance / pi, nit
+uniform sampler2D indirect_specular;  // rgb: nit
+uniform sampler2D indirect_guide;     // xyz: metres; w: normal, -1 where nothing is
+
+struct IndirectLight {
+    vec3 sky;
+    vec3 rest;
+    vec3 specular;
+};
+
+vec3 guide_normal(float packed_normal) {
+    float x = floor(packed_normal / 4096.0);
+    return unit_from_octahedral(vec2(x, packed_normal - x * 4096.0) / 4095.0);
+}
+
+// position_m, normal: of the surface at this fragment.
+IndirectLight indirect_light(vec3 position_m, vec3 normal) {
+    float stride = float(view.rays.w);
+    vec2 at = (gl_FragCoord.xy + view.pixel.zw) / stride - 0.5;
+    ivec2 low = ivec2(floor(at));
+    vec2 part = at - vec2(low);
+    ivec2 last = textureSize(indirect_guide, 0) - 1;
+    float depth_m = dot(position_m - view.eye_m.xyz, view.forward.xyz);
+    float per_metre = 1.0 / (stride * (view.pixel.x + view.pixel.y * depth_m));
+    vec4 sky = vec4(0.0);
+    vec3 rest = vec3(0.0);
+    vec4 specular = vec4(0.0);
+    for (int i = 0; i < 4; ++i) {
+        ivec2 corner = ivec2(i & 1, i >> 1);
+        ivec2 tap = clamp(low + corner, ivec2(0), last);
+        vec4 guide = texelFetch(indirect_guide, tap, 0);
+        vec2 near = mix(1.0 - part, part, vec2(corner)) + 0.02;
+        vec3 n = guide_normal(max(guide.w, 0.0));
+        float off = max(abs(dot(guide.xyz - position_m, normal)), abs(dot(guide.xyz - position_m, n))) * per_metre;
+        float turned = 1.0 - dot(n, normal);
+        float weight = near.x * near.y / ((1.0 + off * off * off * off) * (1.0 + 100.0 * turned * turned));
+        weight = guide.w < 0.0 ? 0.0 : weight + 1e-6;
+        vec4 share = texelFetch(indirect_sky, tap, 0);
+        sky += vec4(share.rgb, 1.0) * (share.a * weight);
+        rest += texelFetch(indirect_rest, tap, 0).rgb * (share.a * weight);
+        specular += vec4(texelFetch(indirect_specular, tap, 0).rgb, 1.0) * weight;
+    }
+    IndirectLight light;
+    light.sky = sky.a > 0.0 ? sky.rgb / sky.a : vec3(1.0);
+    light.rest = sky.a > 0.0 ? rest / sky.a : vec3(0.0);
+    light.specular = specular.rgb / max(specular.a, 1e-20);
+    return light;
+}

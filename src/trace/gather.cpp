@@ -1,0 +1,317 @@
+// Indirect light at the surfaces of a picture.
+// SPDX-License-Identifier: MIT
+#include "trace/gather.h"
+
+#include "math/color.h"
+#include "trace/smooth.h"
+
+#include <algorithm>
+
+namespace facet::trace {
+namespace {
+
+using math::Vec3;
+using math::Vec4;
+
+/// Places are gathered in squares of this many, which see the same triangles.
+constexpr std::uint32_t tile_places = 16;
+/// A lobe that sends on less than this of the light that it gets tells nothing of that light.
+constexpr float weight_min = 1e-3F;
+constexpr std::uint32_t smooth_passes = 4;
+
+/// Component by component; 0 where the divisor is too small to tell.
+Vec3 over(const Vec3& a, const Vec3& b) {
+    Vec3 out(0.0F);
+    for (int c = 0; c < 3; ++c) out[c] = b[c] > weight_min ? a[c] / b[c] : 0.0F;
+    return out;
+}
+
+/// A lobe's weight with channels that it hardly has taken from the others.
+Vec3 filled(const Vec3& weight) {
+    const float most = std::max({weight.x, weight.y, weight.z});
+    return glm::max(weight, Vec3(0.02F * most));
+}
+
+struct Mean {
+    double sum = 0.0;
+    double squares = 0.0;
+    void add(float x) {
+        sum += static_cast<double>(x);
+        squares += static_cast<double>(x) * static_cast<double>(x);
+    }
+    /// Of the mean of n.
+    [[nodiscard]] float variance(std::uint32_t n) const {
+        const double mean = sum / n;
+        // A single draw says nothing of its error: as much as itself.
+        if (n < 2) return static_cast<float>(mean * mean);
+        return static_cast<float>(std::max(squares / n - mean * mean, 0.0) / (n - 1));
+    }
+};
+
+class Gatherer {
+public:
+    Gatherer(const World& world, const Seen& seen, const GatherSettings& settings)
+        : world_(world),
+          seen_(seen),
+          settings_(settings),
+          size_{(seen.size.width + settings.stride - 1) / settings.stride,
+                (seen.size.height + settings.stride - 1) / settings.stride},
+          places_(size_.pixels()),
+          points_(size_.pixels()),
+          means_(size_.pixels()),
+          expected_(size_.pixels()) {}
+
+    IndirectPixels run(base::ThreadPool& pool) {
+        tiles(pool, [&](std::uint32_t x, std::uint32_t y) { find_place(x, y); });
+        const std::vector<Helpers> helpers = helpers_of(size_, points_, pool);
+        draw_left_out(helpers, pool);
+        draw_more(helpers, pool);
+        even_variances(size_, points_, means_, pool);
+        const float even = scale_specular();
+        smooth(size_, points_, means_, smooth_passes, pool);
+        for (std::size_t i = 0; i < means_.size(); ++i) means_[i].specular *= expected_[i] + even;
+        return result();
+    }
+
+private:
+    struct Place {
+        std::uint32_t x = 0;  ///< pixel
+        std::uint32_t y = 0;
+        std::uint32_t count = 0;  ///< paths drawn
+        float diffuse_weight = 0.0F;
+        float specular_weight = 0.0F;
+        GatheredMeans sum;
+        Mean diffuse;
+        Mean specular;
+    };
+
+    template <class Of>
+    void tiles(base::ThreadPool& pool, const Of& of) const {
+        const std::uint32_t across = (size_.width + tile_places - 1) / tile_places;
+        const std::uint32_t down = (size_.height + tile_places - 1) / tile_places;
+        pool.parallel_for(std::size_t{across} * down, [&](std::size_t tile) {
+            if (settings_.cancelled != nullptr && settings_.cancelled->load()) return;
+            const auto x0 = static_cast<std::uint32_t>(tile % across) * tile_places;
+            const auto y0 = static_cast<std::uint32_t>(tile / across) * tile_places;
+            for (std::uint32_t y = y0; y < std::min(y0 + tile_places, size_.height); ++y)
+                for (std::uint32_t x = x0; x < std::min(x0 + tile_places, size_.width); ++x)
+                    of(x, y);
+        });
+    }
+
+    /// The pixel nearest to the middle of the place's square that has a surface.
+    [[nodiscard]] bool pixel_of(std::uint32_t x, std::uint32_t y, std::uint32_t& px,
+                                std::uint32_t& py) const {
+        const std::uint32_t stride = settings_.stride;
+        bool found = false;
+        std::int64_t nearest = 0;
+        const auto middle = static_cast<std::int64_t>(stride / 2);
+        for (std::uint32_t j = 0; j < stride; ++j)
+            for (std::uint32_t i = 0; i < stride; ++i) {
+                const std::uint32_t at_x = x * stride + i;
+                const std::uint32_t at_y = y * stride + j;
+                if (at_x >= seen_.size.width || at_y >= seen_.size.height) continue;
+                const SeenPixel& pixel = seen_.pixels[std::size_t{at_y} * seen_.size.width + at_x];
+                if (pixel.instance == SeenPixel::nothing) continue;
+                const std::int64_t dx = std::int64_t{i} - middle;
+                const std::int64_t dy = std::int64_t{j} - middle;
+                const std::int64_t distance = dx * dx + dy * dy;
+                if (found && distance >= nearest) continue;
+                found = true;
+                nearest = distance;
+                px = at_x;
+                py = at_y;
+            }
+        return found;
+    }
+
+    void find_place(std::uint32_t x, std::uint32_t y) {
+        const std::size_t at = std::size_t{y} * size_.width + x;
+        Place& place = places_[at];
+        if (!pixel_of(x, y, place.x, place.y)) return;
+        const Surface surface = surface_of(place);
+        points_[at] = {.position_m = surface.position_m,
+                       .normal = surface.normal,
+                       .spacing_m = seen_.pixel_width_at(surface.position_m) *
+                                    static_cast<float>(settings_.stride),
+                       .alpha = surface.roughness * surface.roughness,
+                       .is_surface = true};
+        if (settings_.expected)
+            expected_[at] = math::luminance(settings_.expected(
+                glm::reflect(seen_.ray(place.x, place.y).direction, surface.normal),
+                surface.roughness));
+        // Smooth surfaces show a picture, others light that a few places tell of.
+        constexpr float smooth_alpha = 0.06F;
+        const std::uint32_t apart = settings_.apart;
+        if (points_[at].alpha < smooth_alpha || (x % apart == 0 && y % apart == 0))
+            draw(at, settings_.samples);
+    }
+
+    /// Draws where the places around are not alike, so that those drawn may tell nothing.
+    void draw_left_out(const std::vector<Helpers>& helpers, base::ThreadPool& pool) {
+        if (settings_.apart == 1) return;
+        tiles(pool, [&](std::uint32_t x, std::uint32_t y) {
+            const std::size_t at = std::size_t{y} * size_.width + x;
+            constexpr float enough = 3.0F;
+            if (points_[at].is_surface && places_[at].count == 0 &&
+                (helpers[at].diffuse < enough || helpers[at].specular < enough))
+                draw(at, settings_.samples);
+        });
+    }
+
+    [[nodiscard]] Surface surface_of(const Place& place) const {
+        return seen_surface(world_.scene, world_.frames,
+                            seen_.pixels[std::size_t{place.y} * seen_.size.width + place.x],
+                            seen_.ray(place.x, place.y));
+    }
+
+    /// Draws paths there until there are `count`.
+    void draw(std::size_t at, std::uint32_t count) {
+        Place& place = places_[at];
+        const Surface surface = surface_of(place);
+        const Vec3 to_eye = -seen_.ray(place.x, place.y).direction;
+        const Bsdf bsdf(world_.model, surface, to_eye);
+        const auto weight = bsdf.environment_weight();
+        const Vec3 diffuse_weight = filled(weight.diffuse);
+        const Vec3 specular_weight = filled(weight.specular);
+        const Cone cone{seen_.pixel_width_at(surface.position_m), seen_.pixel_spread};
+        const std::uint32_t number = seen_.number_of(place.x, place.y);
+        GatheredMeans& sum = place.sum;
+        for (; place.count < count; ++place.count) {
+            Sequence sequence(number, place.count, settings_.seed);
+            Gathered light;
+            gather_light(world_, surface, to_eye, cone, sequence, light);
+            const Vec3 sky = over(light.diffuse_sky, diffuse_weight);
+            const Vec3 rest = over(light.diffuse_rest, diffuse_weight);
+            const Vec3 mirrored = over(light.specular, specular_weight);
+            sum.sky += sky;
+            sum.open += over(light.diffuse_open, diffuse_weight);
+            sum.rest += rest;
+            sum.specular += mirrored;
+            place.diffuse.add(math::luminance(sky + rest));
+            place.specular.add(math::luminance(mirrored));
+        }
+        const float share = 1.0F / static_cast<float>(count);
+        GatheredMeans& mean = means_[at];
+        mean.sky = sum.sky * share;
+        mean.open = sum.open * share;
+        mean.rest = sum.rest * share;
+        mean.specular = sum.specular * share;
+        mean.diffuse_variance = place.diffuse.variance(count);
+        mean.specular_variance = place.specular.variance(count);
+        mean.has_specular = 1.0F;
+        mean.has_diffuse = math::luminance(weight.diffuse) > weight_min ? 1.0F : 0.0F;
+        place.diffuse_weight = math::luminance(weight.diffuse);
+        place.specular_weight = math::luminance(weight.specular);
+    }
+
+    /// Paths that a place needs for its light to be as certain as asked once it is smoothed.
+    [[nodiscard]] std::uint32_t needed(std::size_t at, const GatheredMeans& even,
+                                       const Helpers& helpers, float least_nit) const {
+        const Place& place = places_[at];
+        const GatheredMeans& mean = means_[at];
+        const float diffuse = place.diffuse_weight;
+        const float specular = place.specular_weight;
+        const float nit = diffuse * math::luminance(mean.sky + mean.rest) +
+                          specular * math::luminance(mean.specular);
+        // What a filter of several passes makes of a place that is like its neighbours.
+        const auto left = [](float helpers_of_lobe) {
+            return 1.0F / (1.0F + 0.5F * helpers_of_lobe * helpers_of_lobe);
+        };
+        const float variance =
+            diffuse * diffuse * even.diffuse_variance * left(helpers.diffuse) +
+            specular * specular * even.specular_variance * left(helpers.specular);
+        const float allowed = settings_.error * (nit + least_nit);
+        const float times = variance / (allowed * allowed);
+        const float wanted = times * static_cast<float>(place.count);
+        if (!(wanted < static_cast<float>(settings_.most_samples))) return settings_.most_samples;
+        return std::max(place.count, static_cast<std::uint32_t>(wanted));
+    }
+
+    /// More paths where the first ones disagree.
+    void draw_more(const std::vector<Helpers>& helpers, base::ThreadPool& pool) {
+        if (settings_.most_samples <= settings_.samples) return;
+        std::vector<GatheredMeans> even = means_;
+        even_variances(size_, points_, even, pool);
+        double sum = 0.0;
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < means_.size(); ++i) {
+            if (places_[i].count == 0) continue;
+            sum += static_cast<double>(
+                places_[i].diffuse_weight * math::luminance(means_[i].sky + means_[i].rest) +
+                places_[i].specular_weight * math::luminance(means_[i].specular));
+            ++count;
+        }
+        constexpr float dark = 0.1F;  // of the mean: what is darker may be as uncertain as that
+        const auto least = static_cast<float>(sum / std::max(1.0, static_cast<double>(count)));
+        std::vector<std::uint32_t> wanted(means_.size());
+        for (std::size_t i = 0; i < means_.size(); ++i)
+            if (places_[i].count > 0)
+                wanted[i] = needed(i, even[i], helpers[i], dark * least + 1e-20F);
+        tiles(pool, [&](std::uint32_t x, std::uint32_t y) {
+            const std::size_t at = std::size_t{y} * size_.width + x;
+            if (wanted[at] > places_[at].count) draw(at, wanted[at]);
+        });
+    }
+
+    /// Puts specular light in units of what is expected there, and returns what was added to all
+    /// expectations: other surfaces' light is in the mirror too, and evenly, for all that is known.
+    float scale_specular() {
+        double sum = 0.0;
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < means_.size(); ++i) {
+            if (places_[i].count == 0) continue;
+            sum += static_cast<double>(math::luminance(means_[i].specular));
+            ++count;
+        }
+        const auto even =
+            static_cast<float>(0.5 * sum / std::max(1.0, static_cast<double>(count))) + 1e-20F;
+        for (std::size_t i = 0; i < means_.size(); ++i) {
+            const float scale = 1.0F / (expected_[i] + even);
+            means_[i].specular *= scale;
+            means_[i].specular_variance *= scale * scale;
+        }
+        return even;
+    }
+
+    [[nodiscard]] IndirectPixels result() const {
+        const std::size_t count = points_.size();
+        IndirectPixels out{size_,
+                           settings_.stride,
+                           std::vector<Vec4>(count),
+                           std::vector<Vec4>(count),
+                           std::vector<Vec4>(count),
+                           std::vector<Vec4>(count, Vec4(0.0F, 0.0F, 0.0F, -1.0F))};
+        for (std::size_t i = 0; i < count; ++i) {
+            if (!points_[i].is_surface) continue;
+            const GatheredMeans& mean = means_[i];
+            Vec3 visible(1.0F);
+            for (int c = 0; c < 3; ++c)
+                if (mean.open[c] > 0.0F)
+                    visible[c] = std::clamp(mean.sky[c] / mean.open[c], 0.0F, 1.0F);
+            out.sky[i] = Vec4(visible, mean.has_diffuse);
+            out.rest[i] = Vec4(mean.rest, 0.0F);
+            out.specular[i] = Vec4(mean.specular, 0.0F);
+            out.guide[i] = Vec4(points_[i].position_m, packed_normal(points_[i].normal));
+        }
+        return out;
+    }
+
+    const World& world_;
+    const Seen& seen_;
+    GatherSettings settings_;
+    math::Extent size_;
+    std::vector<Place> places_;
+    std::vector<GatherPoint> points_;
+    std::vector<GatheredMeans> means_;
+    std::vector<float> expected_;  ///< luminance in the mirrored direction
+};
+
+}  // namespace
+
+IndirectPixels gather(const World& world, const Seen& seen, const GatherSettings& settings,
+                      base::ThreadPool& pool) {
+    return Gatherer(world, seen, settings).run(pool);
+}
+
+}  // namespace facet::trace

@@ -1,0 +1,83 @@
+// A picture's surfaces as a rasteriser saw them, and the light that rays find there.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "math/vector.h"
+#include "trace/surface.h"
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace facet::trace {
+
+/// Pixels [height, width], rows from the bottom.
+struct Seen {
+    math::Extent size;
+    math::Mat4 world_from_clip{1.0F};
+    math::Vec3 eye_m{0.0F};
+    math::Vec3 forward{0.0F, 0.0F, -1.0F};
+    bool is_perspective = true;
+    float pixel_m = 0.0F;       ///< width of a pixel at the eye
+    float pixel_spread = 0.0F;  ///< its growth per metre
+    /// Place of the lower left pixel in the whole picture, from its top left: what random numbers
+    /// are drawn by, so that a part of a picture is the same as in the whole.
+    std::uint32_t first_x = 0;
+    std::uint32_t last_y = 0;
+    std::uint32_t picture_width = 0;
+    std::vector<SeenPixel> pixels;
+
+    [[nodiscard]] std::uint32_t number_of(std::uint32_t x, std::uint32_t y) const {
+        return (last_y - y) * picture_width + first_x + x;
+    }
+    /// From the eye through the middle of a pixel.
+    [[nodiscard]] Ray ray(std::uint32_t x, std::uint32_t y) const;
+    [[nodiscard]] float pixel_width_at(const math::Vec3& position_m) const {
+        return pixel_m + pixel_spread * math::dot(position_m - eye_m, forward);
+    }
+};
+
+struct GatherSettings {
+    std::uint32_t samples = 8;       ///< paths at each place, at least
+    std::uint32_t most_samples = 8;  ///< and at most, where those disagree
+    float error = 0.05F;             ///< wanted of the light seen, relative, after smoothing
+    std::uint32_t stride =
+        1;                    ///< one pixel in stride x stride is a place that light is gathered at
+    std::uint32_t apart = 1;  ///< one place in apart x apart is drawn for, where surfaces are rough
+    std::uint32_t bounces = 64;
+    std::uint32_t seed = 0;
+    const std::atomic<bool>* cancelled = nullptr;  ///< once true, what is returned is of no use
+    /// Roughly the radiance that a surface of that roughness mirrors from a direction: specular
+    /// light is smoothed in its units, so that what the environment makes of a curved surface
+    /// stays.
+    std::function<math::Vec3(const math::Vec3& direction, float roughness)> expected;
+};
+
+/// Indirect light at some of a picture's pixels: [height, width], rows from the bottom, smoothed
+/// over each surface. In units in which the material is left out, so that it can be put back at
+/// each sample of a pixel:
+///   diffuse = weight (irradiance / pi * sky + rest), specular = weight * specular
+/// with the environment's weights of brdf_environment().
+struct IndirectPixels {
+    math::Extent size;
+    std::uint32_t stride = 1;
+    std::vector<math::Vec4> sky;       ///< rgb: share of the environment's irradiance that arrives
+    std::vector<math::Vec4> rest;      ///< rgb: other irradiance / pi, nit
+    std::vector<math::Vec4> specular;  ///< rgb: nit, mean over the lobe
+    std::vector<math::Vec4> guide;     ///< xyz: position in metres; w: packed_normal(), -1: nothing
+};
+
+/// A unit vector as 24 bits of an octahedral map; exact in float.
+[[nodiscard]] float packed_normal(const math::Vec3& n);
+
+/// Lights that may reach a pixel, as indices of the scene's.
+class LightChoice {
+public:
+    virtual ~LightChoice() = default;
+    [[nodiscard]] virtual std::span<const std::uint16_t> at(std::uint32_t x,
+                                                            std::uint32_t y) const = 0;
+};
+
+}  // namespace facet::trace

@@ -1,0 +1,53 @@
+// Which lights reach the surfaces of a picture.
+// SPDX-License-Identifier: MIT
+#include "trace/visibility.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace facet::trace {
+namespace {
+
+using math::Vec3;
+
+/// From the surface to a light without a size; 0 where the surface turns away.
+float visible(const World& world, const Surface& surface, const scene::Light& light) {
+    Ray ray{.origin = surface.outside_m, .direction = -light.direction};
+    if (light.kind != tables::LightKind::directional) {
+        const Vec3 way = light.position_m - surface.outside_m;
+        const float distance = math::length(way);
+        if (!(distance > 0.0F)) return 1.0F;
+        if (light.range_m > 0.0F && distance >= light.range_m) return 0.0F;
+        ray.direction = way / distance;
+        ray.far_m = distance;
+    }
+    if (math::dot(surface.normal, ray.direction) <= 0.0F ||
+        math::dot(surface.face_normal, ray.direction) <= 0.0F)
+        return 0.0F;
+    return world.geometry.transmittance(ray);
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> light_visibility(const World& world, const Seen& seen,
+                                           const LightChoice& lights, std::size_t slots,
+                                           base::ThreadPool& pool) {
+    const std::size_t pixels = seen.pixels.size();
+    std::vector<std::uint8_t> out(slots * pixels, 255);
+    pool.parallel_for(seen.size.height, [&](std::size_t row) {
+        const auto y = static_cast<std::uint32_t>(row);
+        for (std::uint32_t x = 0; x < seen.size.width; ++x) {
+            const std::size_t at = row * seen.size.width + x;
+            const SeenPixel& pixel = seen.pixels[at];
+            if (pixel.instance == SeenPixel::nothing) continue;
+            const Surface surface = seen_surface(world.scene, world.frames, pixel, seen.ray(x, y));
+            const auto choice = lights.at(x, y);
+            for (std::size_t i = 0; i < std::min(choice.size(), slots); ++i)
+                out[i * pixels + at] = static_cast<std::uint8_t>(
+                    std::lround(255.0F * visible(world, surface, world.scene.lights[choice[i]])));
+        }
+    });
+    return out;
+}
+
+}  // namespace facet::trace
