@@ -23,7 +23,7 @@ struct ExplainedSurface {
     vec4 radiance;  // what the surface shows in nit, before its opacity
 };
 struct ExplainedLight {
-    uvec4 which;           // index of the surface's record, of the light, unused
+    uvec4 which;           // index of the surface's record, of the scene's light, unused
     vec4 to_light;         // unit; w: metres, 0 where it is infinitely far
     vec4 illuminance_lux;  // that arrives, facing the light
     vec4 cosines;          // n.l, n.h, v.h, unused

@@ -1,7 +1,6 @@
 // An explanation as JSON.
 // SPDX-License-Identifier: MIT
 #include "explain/told.h"
-#include "frame/lighting/light_lists.h"
 
 #include <nlohmann/json.hpp>
 
@@ -104,7 +103,7 @@ std::string object_name(const scene::Scene& scene, std::uint32_t object_id) {
 }
 
 const scene::Light& light_of(const scene::Scene& scene, const shared::ExplainedLight& light) {
-    return scene.lights[frame::packing_order(scene.lights)[light.which.y]];
+    return scene.lights[light.which.y];
 }
 
 Json json_of(const Explained& explained, const Pixel& pixel) {

@@ -36,14 +36,14 @@ base::Status add_lights(const tables::Settings& settings, const Plan& plan, scen
         if (!light) return tl::unexpected(base::in_file(light.error(), "--light"));
         scene.lights.push_back(std::move(*light));
     }
-    if (plan.reference && !settings.compare) return {};
+    if (plan.rays.samples > 0 || (plan.reference && !settings.compare)) return {};
     for (const scene::Light& light : scene.lights)
         if (scene::area_m2(light) > 0.0F)
             return base::fail({.code = base::ErrorCode::feature_missing,
                                .file = "--light",
-                               .what = "lights with a size are not in the rasteriser yet",
+                               .what = "lights with a size need rays",
                                .found = light.name,
-                               .remedy = "--reference SPP traces them"});
+                               .remedy = "leave --shadows off out, or add --reference SPP"});
     return {};
 }
 

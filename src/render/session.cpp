@@ -124,9 +124,15 @@ Session::Session(Session&&) noexcept = default;
 Session& Session::operator=(Session&&) noexcept = default;
 Session::~Session() { forget_indirect(); }
 
-frame::FrameInputs Session::inputs(const scene::KeyLight& key) const {
-    return {scene_, baked_.front().maps, *lights_, job_->camera, plan_.background,
-            key,    rays_.get()};
+frame::FrameInputs Session::inputs(const scene::KeyLight& key, bool with_rays) const {
+    const bool has_rays = with_rays && rays_ != nullptr;
+    return {scene_,
+            baked_.front().maps,
+            has_rays ? *ray_lights_ : *lights_,
+            job_->camera,
+            plan_.background,
+            key,
+            has_rays ? rays_.get() : nullptr};
 }
 
 void Session::forget_indirect() {
@@ -158,7 +164,7 @@ base::Status Session::make_rays() {
         if (!made) return tl::unexpected(made.error());
         tracer_ = std::make_unique<trace::Tracer>(std::move(*made));
     }
-    rays_ = std::make_unique<TracedRays>(RayScene{*tracer_, scene_, *lights_}, plan_.rays,
+    rays_ = std::make_unique<TracedRays>(RayScene{*tracer_, scene_, *ray_lights_}, plan_.rays,
                                          settings_.seed, *pool_);
     return {};
 }
@@ -201,8 +207,7 @@ base::Status Session::draw(std::uint32_t index, std::uint32_t count, frame::Pass
         if (auto made = make_rays(); !made) return made;
     }
     const scene::KeyLight key = key_light_for(plan_.aovs);
-    frame::FrameInputs in = inputs(key);
-    if (!with_rays) in.rays = nullptr;
+    const frame::FrameInputs in = inputs(key, with_rays);
     if (index == 0 && with_rays && !has_indirect_)
         if (auto found = frame_->find_indirect(*gl_, in); !found) return found;
     return frame_->draw(*gl_, in, index, count, times);
@@ -268,7 +273,9 @@ void Session::lay_over_background(image::Image& radiance, double exposure) const
 
 void Session::set_lights(std::span<const scene::Light> lights) {
     job_->scene.lights = std::vector<scene::Light>(lights.begin(), lights.end());
-    lights_ = std::make_unique<frame::PackedLights>(frame::pack_lights(job_->scene.lights));
+    lights_ = std::make_unique<frame::PackedLights>(frame::pack_lights(job_->scene.lights, false));
+    ray_lights_ =
+        std::make_unique<frame::PackedLights>(frame::pack_lights(job_->scene.lights, true));
     key_light_.reset();
     forget_rays();
 }

@@ -143,12 +143,13 @@ private:
     Plan plan_;
     std::unique_ptr<gl::ShaderSources> sources_;  // passes keep its address
     frame::GpuScene scene_;
-    std::vector<Baked> baked_;  ///< the one in use first, then by last use
-    std::unique_ptr<frame::PackedLights> lights_;
-    std::unique_ptr<trace::Tracer> tracer_;  ///< made at first need
-    std::unique_ptr<TracedRays> rays_;       ///< likewise
-    std::unique_ptr<AskedRays> asked_;       ///< running, or done and not taken
-    bool has_indirect_ = false;              ///< taken
+    std::vector<Baked> baked_;                         ///< the one in use first, then by last use
+    std::unique_ptr<frame::PackedLights> lights_;      ///< of pictures without rays, and
+    std::unique_ptr<frame::PackedLights> ray_lights_;  ///< with them
+    std::unique_ptr<trace::Tracer> tracer_;            ///< made at first need
+    std::unique_ptr<TracedRays> rays_;                 ///< likewise
+    std::unique_ptr<AskedRays> asked_;                 ///< running, or done and not taken
+    bool has_indirect_ = false;                        ///< taken
     std::optional<frame::Frame> frame_;
     std::optional<frame::Frame> probe_;          ///< made at first need
     std::optional<frame::Explainer> explainer_;  ///< likewise
@@ -156,7 +157,8 @@ private:
 
     [[nodiscard]] scene::KeyLight key_light_for(const std::vector<tables::Aov>& aovs);
     /// `key` outlives the result.
-    [[nodiscard]] frame::FrameInputs inputs(const scene::KeyLight& key) const;
+    [[nodiscard]] frame::FrameInputs inputs(const scene::KeyLight& key,
+                                            bool with_rays = true) const;
 };
 
 }  // namespace facet::render

@@ -131,13 +131,11 @@ void draw_add(PanelTools& tools) {
     if (!ImGui::BeginPopup("kinds")) return;
     for (const tables::LightKindRow& row : tables::light_kinds) {
         const std::string key(row.key);
-        // The rasteriser has no lights with a size yet.
-        const bool can = !row.area;
         if (ImGui::MenuItem(std::string(tools.ui.t.or_else("light.kind." + key, key)).c_str(),
-                            nullptr, false, can))
+                            nullptr))
             add_light(tools, row.key);
         tools.ui.mark("add_light." + key);
-        tooltip(can ? row.help : std::string_view(tools.ui.t("studio.reference_only")));
+        tooltip(row.help);
     }
     ImGui::EndPopup();
 }

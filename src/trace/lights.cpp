@@ -19,7 +19,7 @@ using Terms = brdf::LightTerms<float>;
 
 constexpr std::size_t no_emitter = ~std::size_t{0};
 
-bool has_size(const Light& light) {
+bool is_sized(const Light& light) {
     return tables::light_kinds[static_cast<std::size_t>(light.kind)].area;
 }
 
@@ -39,7 +39,7 @@ Lights::Lights(const scene::Scene& scene, const Textures& textures)
         if (light.stands_in) continue;  // the mesh that it stands in for is drawn from itself
         lights_.push_back(light);
         axes_.push_back(scene::axes_of(light));
-        any_with_size_ = any_with_size_ || has_size(light);
+        if (is_sized(light)) ++sized_count_;
     }
     first_emitter_.assign(scene.instances.size(), no_emitter);
     for (std::uint32_t i = 0; i < scene.instances.size(); ++i) add_emitters(scene, i);
@@ -58,6 +58,7 @@ Lights::Lights(const scene::Scene& scene, const Textures& textures)
         bounds.add(position_at(scene, middle));
     }
     if (emitters_.empty()) return;
+    ++sized_count_;
     emitter_shares_ = Distribution(std::span<const float>(weights));
     emitters_center_m_ = bounds.center();
     emitters_radius2_m2_ = 0.25F * bounds.diagonal() * bounds.diagonal();
@@ -76,7 +77,7 @@ float Lights::weight(const Light& light, const Vec3& position_m) const {
     if (light.kind == LightKind::directional) return math::luminance(light.color) * light.intensity;
     const Vec3 to_center = light.position_m - position_m;
     const float distance2 = math::dot(to_center, to_center);
-    if (!has_size(light)) return math::luminance(sample_point(light, to_center).light);
+    if (!is_sized(light)) return math::luminance(sample_point(light, to_center).light);
     const float area = scene::area_m2(light);
     return math::luminance(light.color) * light.intensity * area /
            std::max(distance2, 0.25F * area);
@@ -87,10 +88,15 @@ float Lights::mesh_weight(const Vec3& position_m) const {
     return emitted_ / std::max({math::dot(way, way), emitters_radius2_m2_, 1e-12F});
 }
 
-Lights::Choice Lights::choose(const Vec3& position_m, float u) const {
+bool Lights::has_size(std::size_t light) const {
+    return light >= lights_.size() || is_sized(lights_[light]);
+}
+
+Lights::Choice Lights::choose(const Vec3& position_m, float u, Among among) const {
     Choice out;
     float chosen_weight = 0.0F;
     for (std::size_t i = 0; i < count(); ++i) {
+        if (among == Among::sized && !has_size(i)) continue;
         const float w =
             i < lights_.size() ? weight(lights_[i], position_m) : mesh_weight(position_m);
         if (!(w > 0.0F)) continue;
@@ -115,7 +121,7 @@ LightSample Lights::sample(const Choice& choice, const Vec3& position_m, Vec2 u,
     if (light.kind == LightKind::directional)
         return {-light.direction, 1e30F, light.color * light.intensity, 0.0F, false};
     const Vec3 to_center = light.position_m - position_m;
-    if (!has_size(light)) return sample_point(light, to_center);
+    if (!is_sized(light)) return sample_point(light, to_center);
     LightSample out = sample_shape(light, axes_[choice.light], to_center, u);
     out.light = light.color * light.intensity;
     return out;
@@ -142,10 +148,10 @@ LightSample Lights::sample_mesh(const Vec3& position_m, Vec2 u, float pick) cons
 
 Vec3 Lights::met(const Ray& ray, float pdf, float total_weight) const {
     Vec3 sum(0.0F);
-    if (!any_with_size_) return sum;
+    if (sized_count_ == 0) return sum;
     for (std::size_t i = 0; i < lights_.size(); ++i) {
         const Light& light = lights_[i];
-        if (!has_size(light)) continue;
+        if (!is_sized(light)) continue;
         float own = 0.0F;
         const float distance =
             hit_shape(light, axes_[i], light.position_m - ray.origin, ray.direction, own);

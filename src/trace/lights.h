@@ -27,7 +27,10 @@ public:
     /// Listed lights, and one for all meshes that emit.
     [[nodiscard]] std::size_t count() const { return lights_.size() + (emitters_.empty() ? 0 : 1); }
 
-    [[nodiscard]] bool has_meshes() const { return !emitters_.empty(); }
+    /// Whether a light has a size: a listed one, or the meshes that emit.
+    [[nodiscard]] bool has_size(std::size_t light) const;
+    /// Lights with a size.
+    [[nodiscard]] std::size_t sized_count() const { return sized_count_; }
 
     /// A light to draw from; the last of count() is the meshes that emit.
     struct Choice {
@@ -37,8 +40,10 @@ public:
     };
     /// In place of Choice::total_weight where every light is drawn from, each with probability 1.
     static constexpr float every_light = -1.0F;
+    enum class Among : std::uint8_t { all, sized };
     /// One light, by what it can do at `position_m` at most.
-    [[nodiscard]] Choice choose(const math::Vec3& position_m, float u) const;
+    [[nodiscard]] Choice choose(const math::Vec3& position_m, float u,
+                                Among among = Among::all) const;
     [[nodiscard]] LightSample sample(const Choice& choice, const math::Vec3& position_m,
                                      math::Vec2 u, float pick) const;
 
@@ -73,7 +78,7 @@ private:
     const Textures* textures_;
     std::vector<scene::Light> lights_;    ///< the scene's, without those that stand in for a mesh
     std::vector<scene::LightAxes> axes_;  ///< by light
-    bool any_with_size_ = false;
+    std::size_t sized_count_ = 0;
     std::vector<Emitter> emitters_;
     std::vector<std::size_t>
         first_emitter_;  ///< by instance; a mesh's emitters are in the order of its triangles

@@ -46,9 +46,8 @@ public:
         const Bsdf bsdf(world_.model, surface, to_eye);
         const Vec3& origin = surface.outside_m;
         add_sampled_environment(bsdf, origin);
-        light_weight_ = Lights::every_light;
-        if (world_.lights.has_meshes())
-            add_light(bsdf, origin, {world_.lights.count() - 1, 1.0F, 0.0F}, sequence_.next());
+        // Lights without a size are the rasteriser's.
+        add_sampled_lights(bsdf, origin, Lights::Among::sized, world_.lights.sized_count());
         if (scatter(bsdf, origin, cone_m))
             while (step()) {
             }
@@ -66,8 +65,7 @@ private:
             world_.geometry.intersect(ray_, from_camera() ? Viewer::camera : Viewer::light, hit);
         if constexpr (books == Books::gathered)
             if (bounce_ == 1 && passed_ == 0) add_open_sky();
-        // Of the first surface in a picture that is lit already, listed lights are not the path's.
-        if (!from_camera() && !(books == Books::gathered && bounce_ == 1)) {
+        if (!from_camera()) {
             Ray to_hit = ray_;
             if (found) to_hit.far_m = hit.distance_m;
             // A mirror's density has no bound: what the light draws itself counts nothing beside
@@ -91,7 +89,7 @@ private:
         const Bsdf bsdf(world_.model, surface, -ray_.direction);
         const Vec3& origin = surface.outside_m;
         add_sampled_environment(bsdf, origin);
-        add_sampled_lights(bsdf, origin);
+        add_sampled_lights(bsdf, origin, Lights::Among::all, world_.lights.count());
         return scatter(bsdf, origin, cone_m);
     }
 
@@ -208,17 +206,19 @@ private:
         add_drawn(open * through, bsdf, sample.direction, From::sky);
     }
 
-    void add_sampled_lights(const Bsdf& bsdf, const Vec3& origin) {
-        const std::size_t count = world_.lights.count();
+    /// `count`: of those `among` which are drawn.
+    void add_sampled_lights(const Bsdf& bsdf, const Vec3& origin, Lights::Among among,
+                            std::size_t count) {
         if (count == 0) return;
         if (from_camera() && count <= most_drawn_each) {
             light_weight_ = Lights::every_light;
-            for (std::size_t i = 0; i < count; ++i)
-                add_light(bsdf, origin, {i, 1.0F, 0.0F}, sequence_.next());
+            for (std::size_t i = 0; i < world_.lights.count(); ++i)
+                if (among == Lights::Among::all || world_.lights.has_size(i))
+                    add_light(bsdf, origin, {i, 1.0F, 0.0F}, sequence_.next());
             return;
         }
         const math::Vec2 chance = sequence_.next_pair();
-        const Lights::Choice choice = world_.lights.choose(origin, chance.x);
+        const Lights::Choice choice = world_.lights.choose(origin, chance.x, among);
         light_weight_ = choice.total_weight;
         if (choice.probability > 0.0F) add_light(bsdf, origin, choice, chance.y);
     }

@@ -69,7 +69,7 @@ public:
                                            .emissive = scene->emits,
                                            .aovs = shot.earlier_aovs.value_or(shot.aovs)});
         if (!frame) return tl::unexpected(frame.error());
-        const frame::PackedLights lights = frame::pack_lights(shot.scene.lights);
+        const frame::PackedLights lights = frame::pack_lights(shot.scene.lights, false);
         const frame::FrameInputs in{*scene,      *environment,    lights,
                                     shot.camera, shot.background, shot.key_light};
         if (shot.earlier_aovs) {

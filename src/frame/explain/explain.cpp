@@ -137,6 +137,8 @@ base::Result<std::vector<ExplainedPixel>> Explainer::draw(const gl::Context& gl,
     // No two explanations may share a pixel's place.
     auto records = record(gl, in, pixels, index, count);
     if (!records) return tl::unexpected(records.error());
+    for (ExplainedLight& light : records->lights)
+        light.which.y = static_cast<std::uint32_t>(in.lights.order[light.which.y]);
     const math::Vec2 jitter = jitter_px(index, count);
     const FrameSpec& spec = frame_.spec();
     const std::vector<std::size_t> ranks =

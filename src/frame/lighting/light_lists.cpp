@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 
 namespace facet::frame {
 namespace {
@@ -84,17 +83,14 @@ TileRange tile_range(const Vec4& position_inverse_range2, const math::Mat4& clip
 
 }  // namespace
 
-std::vector<std::size_t> packing_order(std::span<const scene::Light> lights) {
-    std::vector<std::size_t> order(lights.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::stable_partition(
-        order, [&](std::size_t i) { return lights[i].kind == tables::LightKind::directional; });
-    return order;
-}
-
-PackedLights pack_lights(std::span<const scene::Light> lights) {
+PackedLights pack_lights(std::span<const scene::Light> lights, bool with_rays) {
     PackedLights packed;
-    packed.order = packing_order(lights);
+    for (std::size_t i = 0; i < lights.size(); ++i)
+        if (scene::area_m2(lights[i]) <= 0.0F && !(with_rays && lights[i].stands_in))
+            packed.order.push_back(i);
+    std::ranges::stable_partition(packed.order, [&](std::size_t i) {
+        return lights[i].kind == tables::LightKind::directional;
+    });
     for (const std::size_t index : packed.order) {
         push(packed.texels, lights[index]);
         if (lights[index].kind == tables::LightKind::directional) ++packed.directional_count;

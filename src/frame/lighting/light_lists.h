@@ -21,9 +21,9 @@ struct PackedLights {
     std::uint32_t directional_count = 0;
     std::uint32_t count = 0;
 };
-/// Which of the lights is packed first, second, …: directional ones go before the others.
-[[nodiscard]] std::vector<std::size_t> packing_order(std::span<const scene::Light> lights);
-[[nodiscard]] PackedLights pack_lights(std::span<const scene::Light> lights);
+/// Directional lights go before the others. Lights with a size are left to rays; so are,
+/// `with_rays`, those that stand in for a mesh, which is then a light itself.
+[[nodiscard]] PackedLights pack_lights(std::span<const scene::Light> lights, bool with_rays);
 
 /// A list a tile, row by row from the bottom left.
 struct LightLists {
