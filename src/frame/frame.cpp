@@ -158,11 +158,19 @@ base::Status Frame::find_indirect(const gl::Context& gl, const FrameInputs& in) 
     return set_indirect(gl, in.rays->indirect(in.environment));
 }
 
-void Frame::find_visibility(const gl::Context& gl, const FrameInputs& in, const shared::View& view,
-                            const LightLists* lists) {
-    in.rays->look_at(read_surfaces(gl, gbuffer_, view, spec_.picture, spec_.region));
-    update_visibility(gl, in.lights, lists, size(), *in.rays, rays_);
-    set_view(gl, in, view);
+base::Status Frame::ask_rays(const gl::Context& gl, const FrameInputs& in, const SampleView& sample,
+                             const LightLists* lists, ShadeKey& key) {
+    key.visibility = in.rays->has_shadows() && in.lights.count > 0;
+    key.indirect = rays_.stride > 0;
+    key.mirrored = key.indirect && in.rays->has_mirrors();
+    if (!key.visibility && !key.mirrored) return {};
+    in.rays->look_at(read_surfaces(gl, gbuffer_, sample.view, spec_.picture, spec_.region));
+    if (key.mirrored)
+        if (auto s = update_mirrored(gl, in.rays->mirrored(sample.index), size(), rays_); !s)
+            return s;
+    if (key.visibility) update_visibility(gl, in.lights, lists, size(), *in.rays, rays_);
+    set_view(gl, in, sample.view);
+    return {};
 }
 
 base::Status Frame::draw_opaque(const gl::Context& gl, const FrameInputs& in,
@@ -174,19 +182,16 @@ base::Status Frame::draw_opaque(const gl::Context& gl, const FrameInputs& in,
 }
 
 base::Status Frame::draw_light(const gl::Context& gl, const FrameInputs& in,
-                               const shared::View& view,
+                               const SampleView& sample,
                                const std::vector<std::size_t>& far_to_near) {
+    const shared::View& view = sample.view;
     ShadeInputs shade{upload_lights(gl, in), in.environment, light_buffers_, rays_};
     std::optional<LightLists> lists;
     if (shade.key.local_lights) lists = update_light_lists(gl, in, view, true);
     // Rays know the G-buffer's surfaces alone: those that are blended are lit as if in the open.
     const ShadeInputs in_the_open = shade;
-    const bool has_rays = in.rays != nullptr && spec_.rays;
-    if (has_rays && in.rays->has_shadows() && in.lights.count > 0) {
-        find_visibility(gl, in, view, lists ? &*lists : nullptr);
-        shade.key.visibility = true;
-    }
-    shade.key.indirect = has_rays && rays_.stride > 0;
+    if (in.rays != nullptr && spec_.rays)
+        if (auto s = ask_rays(gl, in, sample, lists ? &*lists : nullptr, shade.key); !s) return s;
     if (in.background.kind != BackgroundKind::environment) radiance_.clear(gl);
     const gl::Framebuffer& beauty = radiance_.framebuffer;
     if (auto s = draw_opaque(gl, in, shade, radiance_.target(), &beauty); !s) return s;
@@ -209,6 +214,7 @@ base::Status Frame::draw_light(const gl::Context& gl, const FrameInputs& in,
     if (!light_paths_) return {};
     apart.key.visibility = false;
     apart.key.indirect = false;
+    apart.key.mirrored = false;
     return blend_pass_.run(gl, in.scene, far_to_near, apart, light_paths_->light.target());
 }
 
@@ -224,7 +230,7 @@ base::Status Frame::draw(const gl::Context& gl, const FrameInputs& in, std::uint
     if (auto s = gbuffer_pass_.run(gl, in.scene, order, gbuffer_); !s) return s;
     clock.add_to(&passes.gbuffer);
     std::reverse(order.begin(), order.end());
-    if (auto s = draw_light(gl, in, view, order); !s) return s;
+    if (auto s = draw_light(gl, in, {view, index}, order); !s) return s;
     clock.add_to(&passes.lighting);
     if (auto s = add_aovs(gl, in, index); !s) return s;
     if (count > 1) {

@@ -132,16 +132,22 @@ private:
     /// `opaque`: for the surfaces of the G-buffer, whose depth leaves out lights.
     [[nodiscard]] LightLists update_light_lists(const gl::Context& gl, const FrameInputs& in,
                                                 const shared::View& view, bool opaque);
-    /// Asks the rays which lights are seen from the G-buffer's surfaces.
-    void find_visibility(const gl::Context& gl, const FrameInputs& in, const shared::View& view,
-                         const LightLists* lists);
+    /// Which sample of the picture is drawn.
+    struct SampleView {
+        const shared::View& view;
+        std::uint32_t index;
+    };
+    /// Asks the rays what they find at the G-buffer's surfaces; `key` says what that is.
+    [[nodiscard]] base::Status ask_rays(const gl::Context& gl, const FrameInputs& in,
+                                        const SampleView& sample, const LightLists* lists,
+                                        ShadeKey& key);
     /// Surfaces of the G-buffer into `out`, and into `background` what shows beside them, unless it
     /// is null.
     [[nodiscard]] base::Status draw_opaque(const gl::Context& gl, const FrameInputs& in,
                                            const ShadeInputs& shade, const DrawTarget& out,
                                            const gl::Framebuffer* background);
     [[nodiscard]] base::Status draw_light(const gl::Context& gl, const FrameInputs& in,
-                                          const shared::View& view,
+                                          const SampleView& sample,
                                           const std::vector<std::size_t>& far_to_near);
 
     FrameSpec spec_;

@@ -93,6 +93,7 @@ frame::IndirectLight TracedRays::indirect(const frame::EnvironmentMaps& environm
                               .apart = plan_.apart,
                               .bounces = plan_.bounces,
                               .seed = seed_,
+                              .mirrored_alpha = plan_.mirrored_alpha,
                               .cancelled = &cancelled_,
                               .expected =
                                   [&](const Vec3& direction, float roughness) {
@@ -101,6 +102,12 @@ frame::IndirectLight TracedRays::indirect(const frame::EnvironmentMaps& environm
                              pool_);
     return {indirect_.size, indirect_.stride,   indirect_.sky,
             indirect_.rest, indirect_.specular, indirect_.guide};
+}
+
+std::vector<math::Vec4> TracedRays::mirrored(std::uint32_t frame) {
+    // Another seed than the middles': their sequence begins at 0 too.
+    return scene_.tracer.mirrored(seen_, plan_.mirrored_alpha, frame, plan_.bounces, seed_ + 1,
+                                  pool_);
 }
 
 std::vector<std::uint8_t> TracedRays::visibility(const frame::TileLights& lights,

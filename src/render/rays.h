@@ -30,6 +30,8 @@ public:
     void look_at(const frame::ReadSurfaces& surfaces) override;
     [[nodiscard]] frame::IndirectLight indirect(const frame::EnvironmentMaps& environment) override;
     [[nodiscard]] bool has_indirect() const override { return plan_.samples > 0; }
+    [[nodiscard]] bool has_mirrors() const override { return plan_.mirrored_alpha > 0.0F; }
+    [[nodiscard]] std::vector<math::Vec4> mirrored(std::uint32_t frame) override;
     [[nodiscard]] bool has_shadows() const override { return plan_.shadows; }
     [[nodiscard]] std::vector<std::uint8_t> visibility(const frame::TileLights& lights,
                                                        std::size_t slots) override;

@@ -47,7 +47,7 @@ Lobes::real4 Model::albedo(float n_dot_v, float roughness) const {
            (texel(row + 1, column) * (1.0F - across) + texel(row + 1, column + 1) * across) * down;
 }
 
-Bsdf::Bsdf(const Model& model, const Surface& surface, const Vec3& to_eye)
+Bsdf::Bsdf(const Model& model, const Surface& surface, const Vec3& to_eye, Draws draws)
     : model_(&model), to_eye_(to_eye), face_normal_(surface.face_normal), n_(surface.normal) {
     // A shading normal may turn away from the viewer: the view is bent to where the rasteriser
     // clamps the cosine.
@@ -64,6 +64,7 @@ Bsdf::Bsdf(const Model& model, const Surface& surface, const Vec3& to_eye)
         terms.brdf_view(terms.brdf_surface(surface.base_color, surface.metallic, surface.roughness),
                         n_dot_v, model.albedo(n_dot_v, surface.roughness));
     sampler_ = terms.brdf_sampler(view_, {math::dot(x_, to_eye_), math::dot(y_, to_eye_), n_dot_v});
+    if (draws == Draws::specular) sampler_.specular = 1.0F;
     is_mirror_ = view_.surface.alpha < mirror_alpha_max;
 }
 

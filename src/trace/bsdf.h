@@ -38,8 +38,11 @@ struct Scattered {
 
 class Bsdf {
 public:
+    /// Which lobes sample() draws from.
+    enum class Draws : std::uint8_t { both, specular };
     /// `to_eye` is unit. `model` outlives this.
-    Bsdf(const Model& model, const Surface& surface, const math::Vec3& to_eye);
+    Bsdf(const Model& model, const Surface& surface, const math::Vec3& to_eye,
+         Draws draws = Draws::both);
 
     /// For a unit direction to the light. Zero below the surface. A mirror's lobe is not in it.
     [[nodiscard]] Scattered evaluate(const math::Vec3& to_light) const;

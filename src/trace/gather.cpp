@@ -143,8 +143,9 @@ private:
         // Smooth surfaces show a picture, others light that a few places tell of.
         constexpr float smooth_alpha = 0.06F;
         const std::uint32_t apart = settings_.apart;
-        if (points_[at].alpha < smooth_alpha || (x % apart == 0 && y % apart == 0))
-            draw(at, settings_.samples);
+        const bool is_smooth =
+            points_[at].alpha < smooth_alpha && points_[at].alpha >= settings_.mirrored_alpha;
+        if (is_smooth || (x % apart == 0 && y % apart == 0)) draw(at, settings_.samples);
     }
 
     /// Draws where the places around are not alike, so that those drawn may tell nothing.
@@ -312,6 +313,30 @@ private:
 IndirectPixels gather(const World& world, const Seen& seen, const GatherSettings& settings,
                       base::ThreadPool& pool) {
     return Gatherer(world, seen, settings).run(pool);
+}
+
+std::vector<Vec4> mirrored(const World& world, const Seen& seen, float alpha, std::uint32_t frame,
+                           std::uint32_t seed, base::ThreadPool& pool) {
+    std::vector<Vec4> out(seen.pixels.size());
+    pool.parallel_for(seen.size.height, [&](std::size_t row) {
+        const auto y = static_cast<std::uint32_t>(row);
+        for (std::uint32_t x = 0; x < seen.size.width; ++x) {
+            const std::size_t at = row * seen.size.width + x;
+            const SeenPixel& pixel = seen.pixels[at];
+            if (pixel.instance == SeenPixel::nothing || pixel.roughness * pixel.roughness >= alpha)
+                continue;
+            const Ray ray = seen.ray(x, y);
+            const Surface surface = seen_surface(world.scene, world.frames, pixel, ray);
+            const Bsdf bsdf(world.model, surface, -ray.direction);
+            Sequence sequence(seen.number_of(x, y), frame, seed);
+            Gathered light;
+            gather_light(world, surface, -ray.direction,
+                         {seen.pixel_width_at(surface.position_m), seen.pixel_spread}, sequence,
+                         light, Bsdf::Draws::specular);
+            out[at] = Vec4(over(light.specular, filled(bsdf.environment_weight().specular)), 1.0F);
+        }
+    });
+    return out;
 }
 
 }  // namespace facet::trace

@@ -42,8 +42,9 @@ public:
     }
 
     /// Begins at a surface that is seen already.
-    std::uint32_t gather(const Surface& surface, const Vec3& to_eye, float cone_m) {
-        const Bsdf bsdf(world_.model, surface, to_eye);
+    std::uint32_t gather(const Surface& surface, const Vec3& to_eye, float cone_m,
+                         Bsdf::Draws draws) {
+        const Bsdf bsdf(world_.model, surface, to_eye, draws);
         const Vec3& origin = surface.outside_m;
         add_sampled_environment(bsdf, origin);
         // Lights without a size are the rasteriser's.
@@ -299,9 +300,9 @@ PathLight trace_path(const World& world, const Ray& camera_ray, Cone cone, Seque
 }
 
 std::uint32_t gather_light(const World& world, const Surface& surface, const Vec3& to_eye,
-                           Cone cone, Sequence& sequence, Gathered& out) {
+                           Cone cone, Sequence& sequence, Gathered& out, Bsdf::Draws draws) {
     return Path<Books::gathered>(world, {}, cone, sequence, &out)
-        .gather(surface, to_eye, cone.width_m);
+        .gather(surface, to_eye, cone.width_m, draws);
 }
 
 }  // namespace facet::trace

@@ -58,6 +58,7 @@ struct Gathered {
 };
 /// Adds one draw to `out`. `cone`: of a pixel at the surface. Returns the number of rays.
 std::uint32_t gather_light(const World& world, const Surface& surface, const math::Vec3& to_eye,
-                           Cone cone, Sequence& sequence, Gathered& out);
+                           Cone cone, Sequence& sequence, Gathered& out,
+                           Bsdf::Draws draws = Bsdf::Draws::both);
 
 }  // namespace facet::trace

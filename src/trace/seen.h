@@ -48,6 +48,7 @@ struct GatherSettings {
     std::uint32_t apart = 1;  ///< one place in apart x apart is drawn for, where surfaces are rough
     std::uint32_t bounces = 64;
     std::uint32_t seed = 0;
+    float mirrored_alpha = 0.0F;  ///< specular light below is asked for at every frame
     const std::atomic<bool>* cancelled = nullptr;  ///< once true, what is returned is of no use
     /// Roughly the radiance that a surface of that roughness mirrors from a direction: specular
     /// light is smoothed in its units, so that what the environment makes of a curved surface

@@ -204,6 +204,12 @@ IndirectPixels Tracer::gather(const Seen& seen, const GatherSettings& settings,
     return trace::gather(impl_->world(settings.bounces), seen, settings, pool);
 }
 
+std::vector<math::Vec4> Tracer::mirrored(const Seen& seen, float alpha, std::uint32_t frame,
+                                         std::uint32_t bounces, std::uint32_t seed,
+                                         base::ThreadPool& pool) const {
+    return trace::mirrored(impl_->world(bounces), seen, alpha, frame, seed, pool);
+}
+
 std::vector<std::uint8_t> Tracer::light_visibility(const Seen& seen, const LightChoice& lights,
                                                    std::size_t slots,
                                                    base::ThreadPool& pool) const {

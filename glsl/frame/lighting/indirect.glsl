@@ -5,6 +5,10 @@ uniform sampler2D indirect_rest;      // rgb: other irradiance / pi, nit
 uniform sampler2D indirect_specular;  // rgb: nit
 uniform sampler2D indirect_guide;     // xyz: metres; w: normal, -1 where nothing is
 
+#if FACET_MIRRORED
+uniform sampler2D indirect_mirrored;  // rgb: nit, of this sample; a: 1 where the surface is smooth
+#endif
+
 struct IndirectLight {
     vec3 sky;
     vec3 rest;
@@ -47,5 +51,9 @@ IndirectLight indirect_light(vec3 position_m, vec3 normal) {
     light.sky = sky.a > 0.0 ? sky.rgb / sky.a : vec3(1.0);
     light.rest = sky.a > 0.0 ? rest / sky.a : vec3(0.0);
     light.specular = specular.rgb / max(specular.a, 1e-20);
+#if FACET_MIRRORED
+    vec4 mirrored = texelFetch(indirect_mirrored, ivec2(gl_FragCoord.xy), 0);
+    light.specular = mix(light.specular, mirrored.rgb, mirrored.a);
+#endif
     return light;
 }

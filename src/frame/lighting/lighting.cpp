@@ -21,7 +21,8 @@ enum Unit : GLuint {
     sky_unit,
     rest_unit,
     specular_unit,
-    guide_unit
+    guide_unit,
+    mirrored_unit
 };
 /// Units of the G-buffer, where the material's are otherwise.
 enum GBufferUnit : GLuint { albedo_unit = 0, normal_unit, metal_unit, depth_unit, emissive_unit };
@@ -48,7 +49,7 @@ std::string defines(const ShadeKey& key) {
     std::string text = define("ENVIRONMENT", key.environment) +
                        define("LOCAL_LIGHTS", key.local_lights) +
                        define("VISIBILITY", key.visibility) + define("INDIRECT", key.indirect) +
-                       define("LIGHT_PATHS", !key.paths.empty());
+                       define("MIRRORED", key.mirrored) + define("LIGHT_PATHS", !key.paths.empty());
     std::string outputs;
     std::string writes;
     for (std::size_t i = 0; i < key.paths.size(); ++i) {
@@ -94,6 +95,7 @@ void set_shade_samplers(const gl::Context& gl, const gl::Program& program) {
     gl::bind_sampler(gl, program, "indirect_rest", rest_unit);
     gl::bind_sampler(gl, program, "indirect_specular", specular_unit);
     gl::bind_sampler(gl, program, "indirect_guide", guide_unit);
+    gl::bind_sampler(gl, program, "indirect_mirrored", mirrored_unit);
 }
 
 void bind_shade_textures(const gl::Context& gl, const ShadeInputs& in) {
@@ -112,6 +114,8 @@ void bind_shade_textures(const gl::Context& gl, const ShadeInputs& in) {
     gl::bind_texture(gl, rest_unit, GL_TEXTURE_2D, in.rays.rest, nullptr);
     gl::bind_texture(gl, specular_unit, GL_TEXTURE_2D, in.rays.specular, nullptr);
     gl::bind_texture(gl, guide_unit, GL_TEXTURE_2D, in.rays.guide, nullptr);
+    if (in.key.mirrored)
+        gl::bind_texture(gl, mirrored_unit, GL_TEXTURE_2D, in.rays.mirrored, nullptr);
 }
 
 base::Result<RadianceTarget> RadianceTarget::create(const gl::Context& gl, math::Extent size,

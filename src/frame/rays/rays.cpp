@@ -87,6 +87,19 @@ base::Status update_indirect(const gl::Context& gl, const IndirectLight& light, 
     return {};
 }
 
+base::Status update_mirrored(const gl::Context& gl, std::span<const math::Vec4> light,
+                             math::Extent size, RayTextures& out) {
+    const gl::TextureSpec spec{.format = GL_RGBA32F, .size = size};
+    if (out.mirrored_size != size) {
+        auto made = gl::make_texture(gl, spec);
+        if (!made) return tl::unexpected(made.error());
+        out.mirrored = std::move(*made);
+        out.mirrored_size = size;
+    }
+    gl::upload(gl, out.mirrored, spec, 0, 0, {GL_RGBA, GL_FLOAT}, std::as_bytes(light));
+    return {};
+}
+
 void update_visibility(const gl::Context& gl, const PackedLights& lights, const LightLists* lists,
                        math::Extent size, Rays& rays, RayTextures& out) {
     const TileLights tiles = tile_lights(lights, lists);

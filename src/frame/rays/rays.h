@@ -59,6 +59,10 @@ public:
     /// Lives until the next call. May be asked for on another thread, while nothing else is asked.
     [[nodiscard]] virtual IndirectLight indirect(const EnvironmentMaps& environment) = 0;
     [[nodiscard]] virtual bool has_indirect() const = 0;
+    /// What smooth surfaces mirror in this frame: [height, width], rgb: nit; a: 1 where it is
+    /// there, and stands in for the indirect light's `specular`.
+    [[nodiscard]] virtual bool has_mirrors() const = 0;
+    [[nodiscard]] virtual std::vector<math::Vec4> mirrored(std::uint32_t frame) = 0;
     [[nodiscard]] virtual bool has_shadows() const = 0;
     /// Share of light that arrives, 0..255: [slot, height, width] by a light's place in its tile's
     /// list.
@@ -69,6 +73,8 @@ public:
 /// What rays found, on the GL.
 struct RayTextures {
     gl::Texture sky, rest, specular, guide;
+    gl::Texture mirrored;
+    math::Extent mirrored_size;
     gl::Buffer visibility;
     gl::Texture visibility_texture;
     std::uint32_t slots = 0;   ///< of visibility
@@ -78,6 +84,8 @@ struct RayTextures {
 [[nodiscard]] RayTextures make_ray_textures(const gl::Context& gl);
 [[nodiscard]] base::Status update_indirect(const gl::Context& gl, const IndirectLight& light,
                                            RayTextures& out);
+[[nodiscard]] base::Status update_mirrored(const gl::Context& gl, std::span<const math::Vec4> light,
+                                           math::Extent size, RayTextures& out);
 /// Asks for the lights' visibility and uploads it: as many slots as the driver has room for.
 void update_visibility(const gl::Context& gl, const PackedLights& lights, const LightLists* lists,
                        math::Extent size, Rays& rays, RayTextures& out);
