@@ -5,14 +5,14 @@
 struct View {
     mat4 clip_from_world;
     mat4 world_from_clip;
-    vec4 eye_m;          // xyz: the eye; w: 1 perspective, 0 orthographic
-    vec4 forward;        // xyz: unit, where the camera looks; w: unused
-    vec4 size_px;        // width, height, 1 / width, 1 / height
-    uvec4 light_counts;  // directional lights, all lights, tiles across, unused
-    vec4 environment;    // x: last level of the prefiltered cube; y: nit of its 1
-    vec4 background;     // x: level of the cube that shows; yzw: unused
-    vec4 pixel;          // x: width at the eye in metres, y: growth per metre; zw: the sample's
-                         // place, y up
+    mat4 middle_from_world;  // clip space of the pixels' middles, through the middle of the lens
+    vec4 eye_m;              // xyz: the eye; w: 1 perspective, 0 orthographic
+    vec4 forward;            // xyz: unit, where the camera looks; w: unused
+    vec4 size_px;            // width, height, 1 / width, 1 / height
+    uvec4 light_counts;      // directional lights, all lights, tiles across, unused
+    vec4 environment;        // x: last level of the prefiltered cube; y: nit of its 1
+    vec4 background;         // x: level of the cube that shows; yzw: unused
+    vec4 pixel;              // x: width at the eye in metres, y: growth per metre; zw: unused
     uvec4 rays;  // x: pixels a slot of light_visibility, y: slots, z: pixels across, w: stride of
                  // the indirect light
     vec4 key_light;  // xyz: metres where w is 1, else the unit direction to it

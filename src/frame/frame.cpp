@@ -162,11 +162,12 @@ base::Status Frame::ask_rays(const gl::Context& gl, const FrameInputs& in, const
                              const LightLists* lists, ShadeKey& key) {
     key.visibility = in.rays->has_shadows() && in.lights.count > 0;
     key.indirect = rays_.stride > 0;
-    key.mirrored = key.indirect && in.rays->has_mirrors();
-    if (!key.visibility && !key.mirrored) return {};
+    key.sample_light = key.indirect && in.rays->has_sample_light();
+    if (!key.visibility && !key.sample_light) return {};
     in.rays->look_at(read_surfaces(gl, gbuffer_, sample.view, spec_.picture, spec_.region));
-    if (key.mirrored)
-        if (auto s = update_mirrored(gl, in.rays->mirrored(sample.index), size(), rays_); !s)
+    if (key.sample_light)
+        if (auto s = update_sample_light(gl, in.rays->sample_light(sample.index), size(), rays_);
+            !s)
             return s;
     if (key.visibility) update_visibility(gl, in.lights, lists, size(), *in.rays, rays_);
     set_view(gl, in, sample.view);
@@ -214,7 +215,7 @@ base::Status Frame::draw_light(const gl::Context& gl, const FrameInputs& in,
     if (!light_paths_) return {};
     apart.key.visibility = false;
     apart.key.indirect = false;
-    apart.key.mirrored = false;
+    apart.key.sample_light = false;
     return blend_pass_.run(gl, in.scene, far_to_near, apart, light_paths_->light.target());
 }
 
@@ -223,8 +224,7 @@ base::Status Frame::draw(const gl::Context& gl, const FrameInputs& in, std::uint
     PassTimes unwanted;
     PassTimes& passes = times == nullptr ? unwanted : *times;
     Clock clock(gl, times != nullptr);
-    const shared::View view =
-        view_block(in.camera, spec_.picture, spec_.region, jitter_px(index, count));
+    const shared::View view = sample_view(in.camera, spec_.picture, spec_.region, index, count);
     set_view(gl, in, view);
     std::vector<std::size_t> order = near_to_far(in.scene, view);
     if (auto s = gbuffer_pass_.run(gl, in.scene, order, gbuffer_); !s) return s;

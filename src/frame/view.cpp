@@ -3,6 +3,7 @@
 #include "frame/view.h"
 
 #include "scene/camera_spec.h"
+#include "scene/lens.h"
 
 namespace facet::frame {
 namespace {
@@ -22,35 +23,52 @@ math::Mat4 region_from_picture(math::Extent picture, const Region& region) {
     return m;
 }
 
-/// The first `bits` bits of `x` in reverse, as a fraction (van der Corput's sequence in base 2).
-float radical_inverse(std::uint32_t x) {
+/// The digits of `x` in a base in reverse, as a fraction (Halton 1960; van der Corput in base 2).
+float radical_inverse(std::uint32_t x, std::uint32_t base = 2) {
     float result = 0.0F;
-    for (float digit = 0.5F; x > 0; x >>= 1U, digit *= 0.5F)
-        if ((x & 1U) != 0) result += digit;
+    const float part = 1.0F / static_cast<float>(base);
+    for (float digit = part; x > 0; x /= base, digit *= part)
+        result += digit * static_cast<float>(x % base);
     return result;
 }
 
 }  // namespace
 
 shared::View view_block(const scene::Camera& camera, math::Extent picture, const Region& region,
-                        math::Vec2 jitter_px) {
+                        math::Vec2 jitter_px, math::Vec2 lens_m) {
     const math::Mat4 clip_from_view =
         region_from_picture(picture, region) * scene::clip_from_view(camera, picture, jitter_px);
     shared::View view{};
     const float pixel = 2.0F / scene::clip_from_view(camera, picture, math::Vec2(0.0F))[1][1] /
                         static_cast<float>(picture.height);
     const bool is_perspective = camera.projection == scene::Projection::perspective;
-    view.pixel = {is_perspective ? 0.0F : pixel, is_perspective ? pixel : 0.0F, jitter_px.x,
-                  -jitter_px.y};
-    view.clip_from_world = clip_from_view * scene::view_from_world(camera);
+    view.pixel = {is_perspective ? 0.0F : pixel, is_perspective ? pixel : 0.0F, 0.0F, 0.0F};
+    // From another place on the lens, what lies at the depth in focus stays where it is.
+    math::Mat4 from_lens(1.0F);
+    from_lens[2] = {-lens_m / camera.focus_m, 1.0F, 0.0F};
+    from_lens[3] = {-lens_m, 0.0F, 1.0F};
+    view.clip_from_world = clip_from_view * from_lens * scene::view_from_world(camera);
+    view.middle_from_world = region_from_picture(picture, region) *
+                             scene::clip_from_view(camera, picture, math::Vec2(0.0F)) *
+                             scene::view_from_world(camera);
     view.world_from_clip = math::inverse(view.clip_from_world);
     const math::Mat4& world_from_view = camera.world_from_view;
-    view.eye_m = math::Vec4(math::Vec3(world_from_view[3]), is_perspective ? 1.0F : 0.0F);
+    view.eye_m = math::Vec4(math::Vec3(world_from_view * math::Vec4(lens_m, 0.0F, 1.0F)),
+                            is_perspective ? 1.0F : 0.0F);
     view.forward = math::Vec4(-math::normalize(math::Vec3(world_from_view[2])), 0.0F);
     const auto width = static_cast<float>(region.size.width);
     const auto height = static_cast<float>(region.size.height);
     view.size_px = {width, height, 1.0F / width, 1.0F / height};
     return view;
+}
+
+shared::View sample_view(const scene::Camera& camera, math::Extent picture, const Region& region,
+                         std::uint32_t index, std::uint32_t count) {
+    math::Vec2 lens_m(0.0F);
+    if (camera.lens_radius_m > 0.0F)
+        lens_m =
+            scene::place_on_lens(camera, {radical_inverse(index, 3), radical_inverse(index, 5)});
+    return view_block(camera, picture, region, jitter_px(index, count), lens_m);
 }
 
 math::Vec2 jitter_px(std::uint32_t index, std::uint32_t count) {

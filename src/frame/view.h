@@ -17,9 +17,15 @@ struct Region {
 
 /// The view block's camera part for one jittered frame. `jitter_px` is the sample's place in the
 /// pixel, relative to its centre, in -0.5..0.5, y down.
+/// `lens_m`: the place on the lens that is looked through.
 [[nodiscard]] shared::View view_block(const scene::Camera& camera, math::Extent picture,
-                                      const Region& region, math::Vec2 jitter_px);
+                                      const Region& region, math::Vec2 jitter_px,
+                                      math::Vec2 lens_m = math::Vec2(0.0F));
 
+/// The view of sample `index` of `count`.
+[[nodiscard]] shared::View sample_view(const scene::Camera& camera, math::Extent picture,
+                                       const Region& region, std::uint32_t index,
+                                       std::uint32_t count);
 /// Place of sample `index` of `count` in its pixel: N-rooks, centred on 0, the same for every run.
 [[nodiscard]] math::Vec2 jitter_px(std::uint32_t index, std::uint32_t count);
 

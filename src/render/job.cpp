@@ -4,6 +4,7 @@
 
 #include "base/file.h"
 #include "scene/camera_spec.h"
+#include "scene/lens.h"
 #include "scene/light_spec.h"
 #include "scene/load.h"
 #include "scene/material_file.h"
@@ -103,6 +104,19 @@ base::Status load_environment(const tables::Settings& settings, const Plan& plan
 base::Status aim_camera(const tables::Settings& settings, Job& job) {
     auto camera = scene::resolve_camera(job.scene, settings.camera, settings.fov, settings.size);
     if (!camera) return tl::unexpected(base::in_file(camera.error(), "--camera"));
+    if (!settings.projection.empty())
+        scene::set_projection(*camera, job.scene, settings.projection);
+    if (settings.aperture) {
+        if (camera->projection != scene::Projection::perspective)
+            return base::fail({.code = base::ErrorCode::usage,
+                               .file = "--aperture",
+                               .what = "an orthographic view has no lens",
+                               .remedy = "leave it out, or --projection perspective"});
+        camera->lens_radius_m = scene::lens_radius_m(camera->yfov_rad, *settings.aperture);
+        camera->focus_m =
+            settings.focus ? *settings.focus : scene::middle_depth_m(*camera, job.scene);
+        camera->blades = settings.blades;
+    }
     job.camera = std::move(*camera);
     return {};
 }

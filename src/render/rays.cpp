@@ -83,31 +83,33 @@ void TracedRays::look_at(const frame::ReadSurfaces& surfaces) {
     });
 }
 
+trace::GatherSettings TracedRays::settings() const {
+    return {.samples = plan_.samples,
+            .most_samples = plan_.most_samples,
+            .error = plan_.error,
+            .stride = plan_.stride,
+            .apart = plan_.apart,
+            .bounces = plan_.bounces,
+            .seed = seed_,
+            .mirrored_alpha = plan_.mirrored_alpha,
+            .intricate = plan_.intricate,
+            .cancelled = &cancelled_,
+            .expected = {}};
+}
+
 frame::IndirectLight TracedRays::indirect(const frame::EnvironmentMaps& environment) {
-    indirect_ =
-        scene_.tracer.gather(seen_,
-                             {.samples = plan_.samples,
-                              .most_samples = plan_.most_samples,
-                              .error = plan_.error,
-                              .stride = plan_.stride,
-                              .apart = plan_.apart,
-                              .bounces = plan_.bounces,
-                              .seed = seed_,
-                              .mirrored_alpha = plan_.mirrored_alpha,
-                              .cancelled = &cancelled_,
-                              .expected =
-                                  [&](const Vec3& direction, float roughness) {
-                                      return frame::prefiltered(environment, direction, roughness);
-                                  }},
-                             pool_);
+    trace::GatherSettings gather = settings();
+    gather.expected = [&](const Vec3& direction, float roughness) {
+        return frame::prefiltered(environment, direction, roughness);
+    };
+    indirect_ = scene_.tracer.gather(seen_, gather, pool_);
     return {indirect_.size, indirect_.stride,   indirect_.sky,
             indirect_.rest, indirect_.specular, indirect_.guide};
 }
 
-std::vector<math::Vec4> TracedRays::mirrored(std::uint32_t frame) {
-    // Another seed than the middles': their sequence begins at 0 too.
-    return scene_.tracer.mirrored(seen_, plan_.mirrored_alpha, frame, plan_.bounces, seed_ + 1,
-                                  pool_);
+frame::SampleLight TracedRays::sample_light(std::uint32_t frame) {
+    sample_light_ = scene_.tracer.sample_light(seen_, indirect_, settings(), frame, pool_);
+    return {sample_light_.diffuse, sample_light_.specular};
 }
 
 std::vector<std::uint8_t> TracedRays::visibility(const frame::TileLights& lights,

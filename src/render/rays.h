@@ -30,13 +30,17 @@ public:
     void look_at(const frame::ReadSurfaces& surfaces) override;
     [[nodiscard]] frame::IndirectLight indirect(const frame::EnvironmentMaps& environment) override;
     [[nodiscard]] bool has_indirect() const override { return plan_.samples > 0; }
-    [[nodiscard]] bool has_mirrors() const override { return plan_.mirrored_alpha > 0.0F; }
-    [[nodiscard]] std::vector<math::Vec4> mirrored(std::uint32_t frame) override;
+    [[nodiscard]] bool has_sample_light() const override {
+        return plan_.mirrored_alpha > 0.0F || plan_.intricate > 0;
+    }
+    [[nodiscard]] frame::SampleLight sample_light(std::uint32_t frame) override;
     [[nodiscard]] bool has_shadows() const override { return plan_.shadows; }
     [[nodiscard]] std::vector<std::uint8_t> visibility(const frame::TileLights& lights,
                                                        std::size_t slots) override;
 
 private:
+    [[nodiscard]] trace::GatherSettings settings() const;
+
     RayScene scene_;
     tables::RayBudget plan_;
     std::uint32_t seed_;
@@ -44,6 +48,7 @@ private:
     std::atomic<bool> cancelled_ = false;
     trace::Seen seen_;
     trace::IndirectPixels indirect_;
+    trace::SampleLight sample_light_;
 };
 
 }  // namespace facet::render

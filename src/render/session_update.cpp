@@ -16,7 +16,9 @@ bool edits_differ(const Settings& a, const Settings& b) {
 }
 
 bool camera_differs(const Settings& a, const Settings& b) {
-    return a.camera != b.camera || a.fov != b.fov || a.size != b.size;
+    return a.camera != b.camera || a.fov != b.fov || a.size != b.size ||
+           a.projection != b.projection || a.aperture != b.aperture || a.focus != b.focus ||
+           a.blades != b.blades;
 }
 
 bool targets_differ(const frame::FrameSpec& a, const frame::FrameSpec& b) {

@@ -226,6 +226,24 @@ base::Result<std::string> turned_orbit(const std::string& spec, double degrees) 
     return out + ",fit=" + fit_names[static_cast<std::size_t>(fit)];
 }
 
+float middle_depth_m(const Camera& camera, const Scene& scene) {
+    const math::Bounds bounds = framed_bounds(scene);
+    const float depth = -(view_from_world(camera) * Vec4(bounds.center(), 1.0F)).z;
+    return depth > camera.near_m ? depth : std::max(camera.near_m * 2.0F, smallest_extent_m);
+}
+
+void set_projection(Camera& camera, const Scene& scene, std::string_view projection) {
+    const float depth = middle_depth_m(camera, scene);
+    if (projection == "orthographic" && camera.projection == Projection::perspective) {
+        camera.projection = Projection::orthographic;
+        camera.ymag_m = depth * std::tan(0.5F * camera.yfov_rad);
+    } else if (projection == "perspective" && camera.projection == Projection::orthographic) {
+        camera.projection = Projection::perspective;
+        camera.yfov_rad = 2.0F * std::atan(camera.ymag_m / depth);
+        camera.near_m = std::max(camera.near_m, depth * near_share);
+    }
+}
+
 Mat4 view_from_world(const Camera& camera) { return math::inverse(camera.world_from_view); }
 
 Mat4 clip_from_view(const Camera& camera, math::Extent size, Vec2 jitter_px) {

@@ -23,6 +23,11 @@ namespace facet::scene {
 /// the one that fits at every azimuth. Errors: usage (a camera of the file; as above).
 [[nodiscard]] base::Result<std::string> turned_orbit(const std::string& spec, double degrees);
 
+/// Depth of the middle of the scene's box; where that lies behind the eye, of a place before it.
+[[nodiscard]] float middle_depth_m(const Camera& camera, const Scene& scene);
+/// "perspective" or "orthographic": at the scene's middle both show the same.
+void set_projection(Camera& camera, const Scene& scene, std::string_view projection);
+
 [[nodiscard]] Mat4 view_from_world(const Camera& camera);
 /// GL's clip space, depth -1..1. The vertical angle (or ymag) stays when the aspect differs from
 /// the camera's. `jitter_px` moves the sample within its pixel: relative to the centre, y down.

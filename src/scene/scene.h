@@ -122,7 +122,10 @@ struct Camera {
     float yfov_rad = 0.8F;
     float ymag_m = 1.0F;  ///< half height of an orthographic view
     float near_m = 0.01F;
-    float far_m = 0.0F;  ///< 0: infinite
+    float far_m = 0.0F;          ///< 0: infinite
+    float lens_radius_m = 0.0F;  ///< 0: everything is sharp
+    float focus_m = 1.0F;        ///< depth that is sharp, where the lens has a size
+    std::uint32_t blades = 0;    ///< corners of its aperture; below 3: round
 };
 
 /// An image the materials use; null where it could not be read and a white pixel stands in.

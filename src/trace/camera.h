@@ -4,6 +4,7 @@
 
 #include "math/vector.h"
 #include "scene/camera_spec.h"
+#include "scene/lens.h"
 #include "scene/scene.h"
 #include "trace/geometry.h"
 
@@ -24,19 +25,29 @@ public:
 
     /// `at_px` from the top left of the whole picture. The ray begins at the near plane, as the
     /// rasteriser clips.
-    [[nodiscard]] Ray ray(math::Vec2 at_px) const {
+    /// `lens_m`: the place on the lens that it comes through.
+    [[nodiscard]] Ray ray(math::Vec2 at_px, math::Vec2 lens_m = math::Vec2(0.0F)) const {
         const math::Vec2 ndc(2.0F * at_px.x / size_.x - 1.0F, 1.0F - 2.0F * at_px.y / size_.y);
         const math::Vec3 aside(ndc.x * scale_.x, ndc.y * scale_.y, orthographic_ ? 0.0F : -1.0F);
         const math::Mat3 rotation(camera_.world_from_view);
         const math::Vec3 eye(camera_.world_from_view[3]);
-        const math::Vec3 way = orthographic_ ? -rotation[2] : rotation * aside;
-        const float length = math::length(way);
+        math::Vec3 way = orthographic_ ? -rotation[2] : rotation * aside;
         Ray out;
         out.origin = orthographic_ ? eye + rotation * aside : eye;
+        if (has_lens()) {
+            const math::Vec3 place(lens_m, 0.0F);
+            way = rotation * (aside - place / camera_.focus_m);
+            out.origin = eye + rotation * place;
+        }
+        const float length = math::length(way);
         out.direction = way / length;
         out.near_m = camera_.near_m * length;
         if (camera_.far_m > 0.0F) out.far_m = camera_.far_m * length;
         return out;
+    }
+    [[nodiscard]] bool has_lens() const { return camera_.lens_radius_m > 0.0F; }
+    [[nodiscard]] math::Vec2 place_on_lens(math::Vec2 u) const {
+        return scene::place_on_lens(camera_, u);
     }
     /// Unit; where the camera looks.
     [[nodiscard]] math::Vec3 forward() const { return -math::Vec3(camera_.world_from_view[2]); }

@@ -66,7 +66,12 @@ public:
         const std::vector<Helpers> helpers = helpers_of(size_, points_, pool);
         draw_left_out(helpers, pool);
         draw_more(helpers, pool);
-        even_variances(size_, points_, means_, pool);
+        even_variances(size_, points_, means_, settings_.apart, pool);
+        intricate_.resize(points_.size());
+        for (std::size_t i = 0; i < points_.size(); ++i) {
+            constexpr float few = 4.0F;
+            intricate_[i] = helpers[i].diffuse < few ? 1 : 0;
+        }
         const float even = scale_specular();
         smooth(size_, points_, means_, smooth_passes, pool);
         for (std::size_t i = 0; i < means_.size(); ++i) means_[i].specular *= expected_[i] + even;
@@ -233,7 +238,7 @@ private:
     void draw_more(const std::vector<Helpers>& helpers, base::ThreadPool& pool) {
         if (settings_.most_samples <= settings_.samples) return;
         std::vector<GatheredMeans> even = means_;
-        even_variances(size_, points_, even, pool);
+        even_variances(size_, points_, even, settings_.apart, pool);
         double sum = 0.0;
         std::size_t count = 0;
         for (std::size_t i = 0; i < means_.size(); ++i) {
@@ -282,7 +287,9 @@ private:
                            std::vector<Vec4>(count),
                            std::vector<Vec4>(count),
                            std::vector<Vec4>(count),
-                           std::vector<Vec4>(count, Vec4(0.0F, 0.0F, 0.0F, -1.0F))};
+                           std::vector<Vec4>(count, Vec4(0.0F, 0.0F, 0.0F, -1.0F)),
+                           {}};
+        out.intricate = intricate_;
         for (std::size_t i = 0; i < count; ++i) {
             if (!points_[i].is_surface) continue;
             const GatheredMeans& mean = means_[i];
@@ -305,6 +312,7 @@ private:
     std::vector<Place> places_;
     std::vector<GatherPoint> points_;
     std::vector<GatheredMeans> means_;
+    std::vector<std::uint8_t> intricate_;
     std::vector<float> expected_;  ///< luminance in the mirrored direction
 };
 
@@ -315,25 +323,40 @@ IndirectPixels gather(const World& world, const Seen& seen, const GatherSettings
     return Gatherer(world, seen, settings).run(pool);
 }
 
-std::vector<Vec4> mirrored(const World& world, const Seen& seen, float alpha, std::uint32_t frame,
-                           std::uint32_t seed, base::ThreadPool& pool) {
-    std::vector<Vec4> out(seen.pixels.size());
+SampleLight sample_light(const World& world, const Seen& seen, const IndirectPixels& middles,
+                         const GatherSettings& settings, std::uint32_t frame,
+                         base::ThreadPool& pool) {
+    SampleLight out{std::vector<Vec4>(seen.pixels.size()), std::vector<Vec4>(seen.pixels.size())};
     pool.parallel_for(seen.size.height, [&](std::size_t row) {
         const auto y = static_cast<std::uint32_t>(row);
         for (std::uint32_t x = 0; x < seen.size.width; ++x) {
             const std::size_t at = row * seen.size.width + x;
             const SeenPixel& pixel = seen.pixels[at];
-            if (pixel.instance == SeenPixel::nothing || pixel.roughness * pixel.roughness >= alpha)
-                continue;
+            if (pixel.instance == SeenPixel::nothing) continue;
+            const std::size_t place =
+                std::size_t{y / middles.stride} * middles.size.width + x / middles.stride;
+            const bool is_intricate = settings.intricate > 0 && middles.intricate[place] != 0;
+            const bool is_smooth = pixel.roughness * pixel.roughness < settings.mirrored_alpha;
+            if (!is_smooth && !is_intricate) continue;
             const Ray ray = seen.ray(x, y);
             const Surface surface = seen_surface(world.scene, world.frames, pixel, ray);
             const Bsdf bsdf(world.model, surface, -ray.direction);
-            Sequence sequence(seen.number_of(x, y), frame, seed);
+            const std::uint32_t count = is_intricate ? settings.intricate : 1;
             Gathered light;
-            gather_light(world, surface, -ray.direction,
-                         {seen.pixel_width_at(surface.position_m), seen.pixel_spread}, sequence,
-                         light, Bsdf::Draws::specular);
-            out[at] = Vec4(over(light.specular, filled(bsdf.environment_weight().specular)), 1.0F);
+            for (std::uint32_t i = 0; i < count; ++i) {
+                // Another seed than the middles': their sequence begins at 0 too.
+                Sequence sequence(seen.number_of(x, y), frame * count + i, settings.seed + 1);
+                gather_light(world, surface, -ray.direction,
+                             {seen.pixel_width_at(surface.position_m), seen.pixel_spread}, sequence,
+                             light, is_intricate ? Bsdf::Draws::both : Bsdf::Draws::specular);
+            }
+            const float share = 1.0F / static_cast<float>(count);
+            const auto weight = bsdf.environment_weight();
+            out.specular[at] = Vec4(over(light.specular * share, filled(weight.specular)), 1.0F);
+            if (is_intricate)
+                out.diffuse[at] = Vec4(
+                    over((light.diffuse_sky + light.diffuse_rest) * share, filled(weight.diffuse)),
+                    1.0F);
         }
     });
     return out;

@@ -12,11 +12,11 @@ namespace facet::trace {
 [[nodiscard]] IndirectPixels gather(const World& world, const Seen& seen,
                                     const GatherSettings& settings, base::ThreadPool& pool);
 
-/// What smooth surfaces mirror, for one frame: [height, width]; rgb: nit, as
-/// IndirectPixels::specular; a: 1 where the surface's alpha is below `alpha`, else 0. `frame`:
-/// which sample of the sequence.
-[[nodiscard]] std::vector<math::Vec4> mirrored(const World& world, const Seen& seen, float alpha,
-                                               std::uint32_t frame, std::uint32_t seed,
-                                               base::ThreadPool& pool);
+/// Light at the samples of one frame where the middles of pixels do not tell of it: what surfaces
+/// smoother than `settings.mirrored_alpha` mirror, and all where `middles` are intricate.
+[[nodiscard]] SampleLight sample_light(const World& world, const Seen& seen,
+                                       const IndirectPixels& middles,
+                                       const GatherSettings& settings, std::uint32_t frame,
+                                       base::ThreadPool& pool);
 
 }  // namespace facet::trace

@@ -48,7 +48,8 @@ struct GatherSettings {
     std::uint32_t apart = 1;  ///< one place in apart x apart is drawn for, where surfaces are rough
     std::uint32_t bounces = 64;
     std::uint32_t seed = 0;
-    float mirrored_alpha = 0.0F;  ///< specular light below is asked for at every frame
+    float mirrored_alpha = 0.0F;  ///< specular light below is asked for at every frame, and
+    std::uint32_t intricate = 0;  ///< all light by this many where few places around are alike
     const std::atomic<bool>* cancelled = nullptr;  ///< once true, what is returned is of no use
     /// Roughly the radiance that a surface of that roughness mirrors from a direction: specular
     /// light is smoothed in its units, so that what the environment makes of a curved surface
@@ -68,6 +69,13 @@ struct IndirectPixels {
     std::vector<math::Vec4> rest;      ///< rgb: other irradiance / pi, nit
     std::vector<math::Vec4> specular;  ///< rgb: nit, mean over the lobe
     std::vector<math::Vec4> guide;     ///< xyz: position in metres; w: packed_normal(), -1: nothing
+    std::vector<std::uint8_t> intricate;  ///< 1 where few places around are alike
+};
+
+/// Light of single samples, in the same units: [height, width]; a: 1 where it is there.
+struct SampleLight {
+    std::vector<math::Vec4> diffuse;   ///< rgb: irradiance / pi, nit; all of it
+    std::vector<math::Vec4> specular;  ///< rgb: nit
 };
 
 /// A unit vector as 24 bits of an octahedral map; exact in float.

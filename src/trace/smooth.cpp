@@ -57,16 +57,19 @@ public:
           means_(means),
           next_(means.size()) {}
 
-    void even_variances(base::ThreadPool& pool) {
+    void even_variances(int apart, base::ThreadPool& pool) {
         rows(pool, [&](int x, int y, std::size_t at) {
             float diffuse = 0.0F;
             float specular = 0.0F;
             float weights = 0.0F;
-            for (int j = std::max(y - 1, 0); j <= std::min(y + 1, height_ - 1); ++j)
-                for (int i = std::max(x - 1, 0); i <= std::min(x + 1, width_ - 1); ++i) {
-                    const std::size_t other = index(i, j);
+            for (int j = -1; j <= 1; ++j)
+                for (int i = -1; i <= 1; ++i) {
+                    const int nx = x + i * apart;
+                    const int ny = y + j * apart;
+                    if (nx < 0 || ny < 0 || nx >= width_ || ny >= height_) continue;
+                    const std::size_t other = index(nx, ny);
                     if (!points_[other].is_surface || means_[other].has_specular <= 0.0F) continue;
-                    const float w = (i == x ? 2.0F : 1.0F) * (j == y ? 2.0F : 1.0F);
+                    const float w = (i == 0 ? 2.0F : 1.0F) * (j == 0 ? 2.0F : 1.0F);
                     diffuse += w * means_[other].diffuse_variance;
                     specular += w * means_[other].specular_variance;
                     weights += w;
@@ -137,10 +140,11 @@ private:
         const GatheredMeans& own = means_[at];
         const float own_diffuse = math::luminance(own.sky + own.rest);
         const float own_specular = math::luminance(own.specular);
-        const float diffuse_reach =
-            1.0F / (errors_apart * std::sqrt(own.diffuse_variance) + 1e-20F);
-        const float specular_reach =
-            1.0F / (errors_apart * std::sqrt(own.specular_variance) + 1e-20F);
+        // Few samples may agree by chance: the doubt of both counts.
+        const auto even = [](float difference, float variance, float other) {
+            return falling(difference /
+                           (errors_apart * std::sqrt(0.5F * (variance + other)) + 1e-20F));
+        };
         Sums sums;
         constexpr float center = spline[0] * spline[0];
         if (own.has_diffuse > 0.0F) sums.add_diffuse(own, center);
@@ -164,15 +168,18 @@ private:
                     const float l = math::luminance(m.sky + m.rest);
                     const float w =
                         place * share.diffuse *
-                        (own.has_diffuse > 0.0F ? falling((l - own_diffuse) * diffuse_reach)
-                                                : 1.0F);
+                        (own.has_diffuse > 0.0F
+                             ? even(l - own_diffuse, own.diffuse_variance, m.diffuse_variance)
+                             : 1.0F);
                     sums.add_diffuse(m, w);
                 }
                 if (m.has_specular <= 0.0F) continue;
                 const float l = math::luminance(m.specular);
                 const float w =
                     place * share.specular *
-                    (own.has_specular > 0.0F ? falling((l - own_specular) * specular_reach) : 1.0F);
+                    (own.has_specular > 0.0F
+                         ? even(l - own_specular, own.specular_variance, m.specular_variance)
+                         : 1.0F);
                 sums.add_specular(m, w);
             }
         sums.finish(own);
@@ -216,8 +223,9 @@ std::vector<Helpers> helpers_of(math::Extent size, const std::vector<GatherPoint
 }
 
 void even_variances(math::Extent size, const std::vector<GatherPoint>& points,
-                    std::vector<GatheredMeans>& means, base::ThreadPool& pool) {
-    Smoother(size, points, means).even_variances(pool);
+                    std::vector<GatheredMeans>& means, std::uint32_t apart,
+                    base::ThreadPool& pool) {
+    Smoother(size, points, means).even_variances(static_cast<int>(apart), pool);
 }
 
 void smooth(math::Extent size, const std::vector<GatherPoint>& points,

@@ -42,9 +42,10 @@ struct Helpers {
                                               const std::vector<GatherPoint>& points,
                                               base::ThreadPool& pool);
 
-/// Variances of few samples say little: each becomes the mean of those around it.
+/// Variances of few samples say little: each becomes the mean of those around it, `apart` places
+/// away.
 void even_variances(math::Extent size, const std::vector<GatherPoint>& points,
-                    std::vector<GatheredMeans>& means, base::ThreadPool& pool);
+                    std::vector<GatheredMeans>& means, std::uint32_t apart, base::ThreadPool& pool);
 
 /// Passes of an edge-avoiding a-trous filter whose taps are 1, 2, 4, ... places apart (Dammertz et
 /// al. 2010), steered by position, normal and the samples' own variance (Schied et al. 2017,

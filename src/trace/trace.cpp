@@ -61,9 +61,12 @@ TileCounts trace_tile(const Pass& pass, Film& film, std::size_t tile, std::uint3
                 Sequence sequence(pixel, i, settings.seed);
                 const math::Vec2 at =
                     sequence.next_pair() + math::Vec2(settings.x + x, settings.y + y);
+                const math::Vec2 lens = pass.camera.has_lens()
+                                            ? pass.camera.place_on_lens(sequence.next_pair())
+                                            : math::Vec2(0.0F);
                 LightPaths apart;
-                const PathLight light = trace_path(pass.world, pass.camera.ray(at), cone, sequence,
-                                                   film.keeps_paths() ? &apart : nullptr);
+                const PathLight light = trace_path(pass.world, pass.camera.ray(at, lens), cone,
+                                                   sequence, film.keeps_paths() ? &apart : nullptr);
                 counts.rays += light.rays;
                 ++counts.paths;
                 if (!film.add(std::size_t{y} * settings.size.width + x, light, apart))
@@ -204,10 +207,11 @@ IndirectPixels Tracer::gather(const Seen& seen, const GatherSettings& settings,
     return trace::gather(impl_->world(settings.bounces), seen, settings, pool);
 }
 
-std::vector<math::Vec4> Tracer::mirrored(const Seen& seen, float alpha, std::uint32_t frame,
-                                         std::uint32_t bounces, std::uint32_t seed,
-                                         base::ThreadPool& pool) const {
-    return trace::mirrored(impl_->world(bounces), seen, alpha, frame, seed, pool);
+SampleLight Tracer::sample_light(const Seen& seen, const IndirectPixels& middles,
+                                 const GatherSettings& settings, std::uint32_t frame,
+                                 base::ThreadPool& pool) const {
+    return trace::sample_light(impl_->world(settings.bounces), seen, middles, settings, frame,
+                               pool);
 }
 
 std::vector<std::uint8_t> Tracer::light_visibility(const Seen& seen, const LightChoice& lights,

@@ -93,10 +93,9 @@ public:
     /// For a rasteriser's picture: see seen.h.
     [[nodiscard]] IndirectPixels gather(const Seen& seen, const GatherSettings& settings,
                                         base::ThreadPool& pool) const;
-    [[nodiscard]] std::vector<math::Vec4> mirrored(const Seen& seen, float alpha,
-                                                   std::uint32_t frame, std::uint32_t bounces,
-                                                   std::uint32_t seed,
-                                                   base::ThreadPool& pool) const;
+    [[nodiscard]] SampleLight sample_light(const Seen& seen, const IndirectPixels& middles,
+                                           const GatherSettings& settings, std::uint32_t frame,
+                                           base::ThreadPool& pool) const;
     [[nodiscard]] std::vector<std::uint8_t> light_visibility(const Seen& seen,
                                                              const LightChoice& lights,
                                                              std::size_t slots,

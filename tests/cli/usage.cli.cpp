@@ -116,7 +116,8 @@ TEST(Help, NamesEveryCommandAndEverySetting) {
     }
 }
 TEST(Help, EveryTopicThatIsNamedIsThere) {
-    for (const char* topic : {"lights", "cameras", "set", "aovs", "studio", "exit-codes"}) {
+    for (const char* topic :
+         {"lights", "cameras", "quality", "set", "aovs", "studio", "exit-codes"}) {
         const Ran ran = facet({"help", topic});
         EXPECT_EQ(ran.exit, 0) << topic;
         EXPECT_TRUE(ran.out.starts_with("Example: facet ")) << topic;

@@ -5,8 +5,9 @@ uniform sampler2D indirect_rest;      // rgb: other irradiance / pi, nit
 uniform sampler2D indirect_specular;  // rgb: nit
 uniform sampler2D indirect_guide;     // xyz: metres; w: normal, -1 where nothing is
 
-#if FACET_MIRRORED
-uniform sampler2D indirect_mirrored;  // rgb: nit, of this sample; a: 1 where the surface is smooth
+#if FACET_SAMPLE_LIGHT
+uniform sampler2D sample_diffuse;   // rgb: irradiance / pi at this very sample, nit; a: 1 where it is there
+uniform sampler2D sample_specular;  // rgb: nit; likewise
 #endif
 
 struct IndirectLight {
@@ -23,7 +24,8 @@ vec3 guide_normal(float packed_normal) {
 // position_m, normal: of the surface at this fragment.
 IndirectLight indirect_light(vec3 position_m, vec3 normal) {
     float stride = float(view.rays.w);
-    vec2 at = (gl_FragCoord.xy + view.pixel.zw) / stride - 0.5;
+    vec4 middle = view.middle_from_world * vec4(position_m, 1.0);
+    vec2 at = (middle.xy / middle.w * 0.5 + 0.5) * view.size_px.xy / stride - 0.5;
     ivec2 low = ivec2(floor(at));
     vec2 part = at - vec2(low);
     ivec2 last = textureSize(indirect_guide, 0) - 1;
@@ -51,8 +53,11 @@ IndirectLight indirect_light(vec3 position_m, vec3 normal) {
     light.sky = sky.a > 0.0 ? sky.rgb / sky.a : vec3(1.0);
     light.rest = sky.a > 0.0 ? rest / sky.a : vec3(0.0);
     light.specular = specular.rgb / max(specular.a, 1e-20);
-#if FACET_MIRRORED
-    vec4 mirrored = texelFetch(indirect_mirrored, ivec2(gl_FragCoord.xy), 0);
+#if FACET_SAMPLE_LIGHT
+    vec4 diffuse = texelFetch(sample_diffuse, ivec2(gl_FragCoord.xy), 0);
+    light.sky *= 1.0 - diffuse.a;
+    light.rest = mix(light.rest, diffuse.rgb, diffuse.a);
+    vec4 mirrored = texelFetch(sample_specular, ivec2(gl_FragCoord.xy), 0);
     light.specular = mix(light.specular, mirrored.rgb, mirrored.a);
 #endif
     return light;

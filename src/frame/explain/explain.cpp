@@ -142,7 +142,7 @@ base::Result<std::vector<ExplainedPixel>> Explainer::draw(const gl::Context& gl,
     const math::Vec2 jitter = jitter_px(index, count);
     const FrameSpec& spec = frame_.spec();
     const std::vector<std::size_t> ranks =
-        ranks_far_to_near(in.scene, view_block(in.camera, spec.picture, spec.region, jitter));
+        ranks_far_to_near(in.scene, sample_view(in.camera, spec.picture, spec.region, index, count));
     std::vector<ExplainedPixel> out(pixels.size());
     struct Found {
         const ExplainedSurface* fetched = nullptr;

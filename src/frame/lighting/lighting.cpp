@@ -22,7 +22,8 @@ enum Unit : GLuint {
     rest_unit,
     specular_unit,
     guide_unit,
-    mirrored_unit
+    sample_diffuse_unit,
+    sample_specular_unit
 };
 /// Units of the G-buffer, where the material's are otherwise.
 enum GBufferUnit : GLuint { albedo_unit = 0, normal_unit, metal_unit, depth_unit, emissive_unit };
@@ -46,10 +47,10 @@ base::Result<gl::Program> make(const gl::Context& gl, const gl::ShaderSources& s
 }  // namespace
 
 std::string defines(const ShadeKey& key) {
-    std::string text = define("ENVIRONMENT", key.environment) +
-                       define("LOCAL_LIGHTS", key.local_lights) +
-                       define("VISIBILITY", key.visibility) + define("INDIRECT", key.indirect) +
-                       define("MIRRORED", key.mirrored) + define("LIGHT_PATHS", !key.paths.empty());
+    std::string text =
+        define("ENVIRONMENT", key.environment) + define("LOCAL_LIGHTS", key.local_lights) +
+        define("VISIBILITY", key.visibility) + define("INDIRECT", key.indirect) +
+        define("SAMPLE_LIGHT", key.sample_light) + define("LIGHT_PATHS", !key.paths.empty());
     std::string outputs;
     std::string writes;
     for (std::size_t i = 0; i < key.paths.size(); ++i) {
@@ -95,7 +96,8 @@ void set_shade_samplers(const gl::Context& gl, const gl::Program& program) {
     gl::bind_sampler(gl, program, "indirect_rest", rest_unit);
     gl::bind_sampler(gl, program, "indirect_specular", specular_unit);
     gl::bind_sampler(gl, program, "indirect_guide", guide_unit);
-    gl::bind_sampler(gl, program, "indirect_mirrored", mirrored_unit);
+    gl::bind_sampler(gl, program, "sample_diffuse", sample_diffuse_unit);
+    gl::bind_sampler(gl, program, "sample_specular", sample_specular_unit);
 }
 
 void bind_shade_textures(const gl::Context& gl, const ShadeInputs& in) {
@@ -114,8 +116,9 @@ void bind_shade_textures(const gl::Context& gl, const ShadeInputs& in) {
     gl::bind_texture(gl, rest_unit, GL_TEXTURE_2D, in.rays.rest, nullptr);
     gl::bind_texture(gl, specular_unit, GL_TEXTURE_2D, in.rays.specular, nullptr);
     gl::bind_texture(gl, guide_unit, GL_TEXTURE_2D, in.rays.guide, nullptr);
-    if (in.key.mirrored)
-        gl::bind_texture(gl, mirrored_unit, GL_TEXTURE_2D, in.rays.mirrored, nullptr);
+    if (!in.key.sample_light) return;
+    gl::bind_texture(gl, sample_diffuse_unit, GL_TEXTURE_2D, in.rays.sample_diffuse, nullptr);
+    gl::bind_texture(gl, sample_specular_unit, GL_TEXTURE_2D, in.rays.sample_specular, nullptr);
 }
 
 base::Result<RadianceTarget> RadianceTarget::create(const gl::Context& gl, math::Extent size,

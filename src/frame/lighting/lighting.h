@@ -20,7 +20,7 @@ struct ShadeKey {
     bool local_lights = false;
     bool visibility = false;         ///< of lights, and
     bool indirect = false;           ///< indirect light, as rays found them
-    bool mirrored = false;           ///< at this very sample, where surfaces are smooth
+    bool sample_light = false;       ///< and at this very sample, where that is not enough
     std::vector<tables::Aov> paths;  ///< light paths, a target each in place of their sum
     auto operator<=>(const ShadeKey&) const = default;
 };

@@ -87,16 +87,19 @@ base::Status update_indirect(const gl::Context& gl, const IndirectLight& light, 
     return {};
 }
 
-base::Status update_mirrored(const gl::Context& gl, std::span<const math::Vec4> light,
-                             math::Extent size, RayTextures& out) {
+base::Status update_sample_light(const gl::Context& gl, const SampleLight& light, math::Extent size,
+                                 RayTextures& out) {
     const gl::TextureSpec spec{.format = GL_RGBA32F, .size = size};
-    if (out.mirrored_size != size) {
-        auto made = gl::make_texture(gl, spec);
-        if (!made) return tl::unexpected(made.error());
-        out.mirrored = std::move(*made);
-        out.mirrored_size = size;
+    for (const auto& [texture, values] : {std::pair{&out.sample_diffuse, light.diffuse},
+                                          std::pair{&out.sample_specular, light.specular}}) {
+        if (out.sample_size != size) {
+            auto made = gl::make_texture(gl, spec);
+            if (!made) return tl::unexpected(made.error());
+            *texture = std::move(*made);
+        }
+        gl::upload(gl, *texture, spec, 0, 0, {GL_RGBA, GL_FLOAT}, std::as_bytes(values));
     }
-    gl::upload(gl, out.mirrored, spec, 0, 0, {GL_RGBA, GL_FLOAT}, std::as_bytes(light));
+    out.sample_size = size;
     return {};
 }
 

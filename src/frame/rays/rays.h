@@ -44,6 +44,13 @@ struct IndirectLight {
     std::span<const math::Vec4> guide;  ///< xyz: metres; w: 12 bits of each octahedral coordinate
 };
 
+/// Light of the very samples of a frame, where the pixels' middles do not tell of it: [height,
+/// width], a: 1 where it is there.
+struct SampleLight {
+    std::span<const math::Vec4> diffuse;   ///< rgb: irradiance / pi in nit
+    std::span<const math::Vec4> specular;  ///< rgb: as IndirectLight's
+};
+
 /// Which lights may reach a tile, by packed index: those that reach every tile first.
 struct TileLights {
     std::uint32_t tiles_across = 0;
@@ -59,10 +66,9 @@ public:
     /// Lives until the next call. May be asked for on another thread, while nothing else is asked.
     [[nodiscard]] virtual IndirectLight indirect(const EnvironmentMaps& environment) = 0;
     [[nodiscard]] virtual bool has_indirect() const = 0;
-    /// What smooth surfaces mirror in this frame: [height, width], rgb: nit; a: 1 where it is
-    /// there, and stands in for the indirect light's `specular`.
-    [[nodiscard]] virtual bool has_mirrors() const = 0;
-    [[nodiscard]] virtual std::vector<math::Vec4> mirrored(std::uint32_t frame) = 0;
+    [[nodiscard]] virtual bool has_sample_light() const = 0;
+    /// Lives until the next call. `frame`: which sample of the picture.
+    [[nodiscard]] virtual SampleLight sample_light(std::uint32_t frame) = 0;
     [[nodiscard]] virtual bool has_shadows() const = 0;
     /// Share of light that arrives, 0..255: [slot, height, width] by a light's place in its tile's
     /// list.
@@ -73,8 +79,8 @@ public:
 /// What rays found, on the GL.
 struct RayTextures {
     gl::Texture sky, rest, specular, guide;
-    gl::Texture mirrored;
-    math::Extent mirrored_size;
+    gl::Texture sample_diffuse, sample_specular;
+    math::Extent sample_size;
     gl::Buffer visibility;
     gl::Texture visibility_texture;
     std::uint32_t slots = 0;   ///< of visibility
@@ -84,8 +90,8 @@ struct RayTextures {
 [[nodiscard]] RayTextures make_ray_textures(const gl::Context& gl);
 [[nodiscard]] base::Status update_indirect(const gl::Context& gl, const IndirectLight& light,
                                            RayTextures& out);
-[[nodiscard]] base::Status update_mirrored(const gl::Context& gl, std::span<const math::Vec4> light,
-                                           math::Extent size, RayTextures& out);
+[[nodiscard]] base::Status update_sample_light(const gl::Context& gl, const SampleLight& light,
+                                               math::Extent size, RayTextures& out);
 /// Asks for the lights' visibility and uploads it: as many slots as the driver has room for.
 void update_visibility(const gl::Context& gl, const PackedLights& lights, const LightLists* lists,
                        math::Extent size, Rays& rays, RayTextures& out);

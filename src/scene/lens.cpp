@@ -1,0 +1,49 @@
+// A camera's thin lens.
+// SPDX-License-Identifier: MIT
+#include "scene/lens.h"
+
+#include <cmath>
+
+namespace facet::scene {
+
+float focal_length_m(float yfov_rad) { return 0.5F * sensor_height_m / std::tan(0.5F * yfov_rad); }
+
+float lens_radius_m(float yfov_rad, float f_number) {
+    return 0.5F * focal_length_m(yfov_rad) / f_number;
+}
+
+Vec2 place_on_lens(const Camera& camera, Vec2 u) {
+    if (camera.blades >= 3) {
+        // One of the triangles around the middle, and a place in it (Turk 1990).
+        const auto corners = static_cast<float>(camera.blades);
+        const float scaled = u.x * corners;
+        const float blade = std::min(std::floor(scaled), corners - 1.0F);
+        const float root = std::sqrt(scaled - blade);
+        const auto corner = [&](float i) {
+            const float angle = 2.0F * math::pi * i / corners;
+            return Vec2(std::sin(angle), std::cos(angle));
+        };
+        return (corner(blade) * (root * (1.0F - u.y)) + corner(blade + 1.0F) * (root * u.y)) *
+               camera.lens_radius_m;
+    }
+    const Vec2 p = u * 2.0F - 1.0F;
+    if (p.x == 0.0F && p.y == 0.0F) return Vec2(0.0F);
+    const bool wide = std::fabs(p.x) > std::fabs(p.y);
+    const float r = wide ? p.x : p.y;
+    const float angle =
+        wide ? math::pi / 4.0F * (p.y / p.x) : math::pi / 2.0F - math::pi / 4.0F * (p.x / p.y);
+    return Vec2(std::cos(angle), std::sin(angle)) * (r * camera.lens_radius_m);
+}
+
+float blur_px(const Camera& camera, float depth_m, std::uint32_t height_px) {
+    const float across_m = 2.0F * camera.focus_m * std::tan(0.5F * camera.yfov_rad);
+    const float at_focus_m =
+        2.0F * camera.lens_radius_m * std::fabs(depth_m - camera.focus_m) / depth_m;
+    return at_focus_m / across_m * static_cast<float>(height_px);
+}
+
+double exposure_value(double f_number, double shutter_s, double iso) {
+    return std::log2(f_number * f_number / shutter_s * 100.0 / iso);
+}
+
+}  // namespace facet::scene
