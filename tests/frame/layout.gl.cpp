@@ -56,10 +56,11 @@ protected:
 TEST_F(LayoutTest, TheDriverPlacesEveryMemberOfViewWhereTheCompilerDoes) {
     using shared::View;
     for (const Member& m :
-         {MEMBER(View, clip_from_world), MEMBER(View, world_from_clip), MEMBER(View, middle_from_world), MEMBER(View, eye_m),
-          MEMBER(View, forward), MEMBER(View, size_px), MEMBER(View, light_counts),
-          MEMBER(View, environment), MEMBER(View, background), MEMBER(View, pixel),
-          MEMBER(View, rays), MEMBER(View, key_light)})
+         {MEMBER(View, clip_from_world), MEMBER(View, world_from_clip),
+          MEMBER(View, middle_from_world), MEMBER(View, eye_m), MEMBER(View, forward),
+          MEMBER(View, size_px), MEMBER(View, light_counts), MEMBER(View, environment),
+          MEMBER(View, background), MEMBER(View, pixel), MEMBER(View, rays),
+          MEMBER(View, key_light)})
         EXPECT_EQ(offset((std::string("view.") + m.name).c_str()), static_cast<GLint>(m.offset))
             << m.name;
 }

@@ -119,11 +119,11 @@ shot saved.xwd
 xdotool key ctrl+q
 wait $studio
 ls state/facet 2>/dev/null >left.txt || true
-start scene.glb --exposure 1
+start scene.glb --exposure 1 --shadows off
 xdotool mousemove 640 715
 shot again.xwd
 )",
-                                "scene.glb --exposure 1");
+                                "scene.glb --exposure 1 --shadows off");
     ASSERT_EQ(ran.exit, 0) << ran.err << text_of(folder / "studio.err");
     const Screenshot before(folder / "before.xwd");
     const Screenshot after(folder / "after.xwd");
@@ -146,7 +146,7 @@ xdotool mousemove 640 715
 shot after.xwd
 kill -9 $studio
 wait $studio 2>/dev/null || true
-start scene.glb --exposure 1
+start scene.glb --exposure 1 --shadows off
 shot offered.xwd
 xdotool key Return
 rest

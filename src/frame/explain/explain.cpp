@@ -141,8 +141,8 @@ base::Result<std::vector<ExplainedPixel>> Explainer::draw(const gl::Context& gl,
         light.which.y = static_cast<std::uint32_t>(in.lights.order[light.which.y]);
     const math::Vec2 jitter = jitter_px(index, count);
     const FrameSpec& spec = frame_.spec();
-    const std::vector<std::size_t> ranks =
-        ranks_far_to_near(in.scene, sample_view(in.camera, spec.picture, spec.region, index, count));
+    const std::vector<std::size_t> ranks = ranks_far_to_near(
+        in.scene, sample_view(in.camera, spec.picture, spec.region, index, count));
     std::vector<ExplainedPixel> out(pixels.size());
     struct Found {
         const ExplainedSurface* fetched = nullptr;
