@@ -26,7 +26,7 @@ struct ExplainedLight {
     uvec4 which;           // index of the surface's record, of the scene's light, unused
     vec4 to_light;         // unit; w: metres, 0 where it is infinitely far
     vec4 illuminance_lux;  // that arrives, facing the light
-    vec4 cosines;          // n.l, n.h, v.h, unused
+    vec4 cosines;          // n.l, n.h, v.h; w: share of the light that is visible
     vec4 d_g_v;            // D 1/sr, G, V 1/sr, unused
     vec4 f;
     vec4 k_d;

@@ -33,7 +33,7 @@ Json json(const scene::Scene& scene, const shared::ExplainedLight& l) {
             {"ks", json(l.k_s)},
             {"diffuse", json(l.diffuse)},
             {"specular", json(l.specular)},
-            {"shadow", 1.0},
+            {"shadow", l.cosines.w},
             {"contribution", json(of_light(l))}};
 }
 

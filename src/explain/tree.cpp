@@ -168,8 +168,8 @@ private:
         node.add("ks", numbers(light.k_s));
         node.add(t("diffuse"), numbers(light.diffuse) + " 1/sr");
         node.add(t("specular"), numbers(light.specular) + " 1/sr");
-        node.add(t("shadow"), t("no_shadow"));
-        tell(of_light(light), node, "f × E × n·l");
+        node.add(t("shadow"), one(light.cosines.w));
+        tell(of_light(light), node, "f × E × n·l × shadow");
     }
 
     void tell(const Contribution& c, Node& node, const char* formula) const {

@@ -63,7 +63,8 @@ vec3 irradiance_over_pi(vec3 n) { return textureLod(irradiance_cube, n, 0.0).rgb
 float explain_distance_m = 0.0;  // to the light at hand; 0: infinitely far
 #endif
 
-vec3 lit_by(ShadePoint p, BrdfView brdf, vec3 to_light, vec3 illuminance) {
+// visible: share of the light that arrives.
+vec3 lit_by(ShadePoint p, BrdfView brdf, vec3 to_light, vec3 illuminance, float visible) {
     float n_dot_l = clamp(dot(p.normal, to_light), 0.0, 1.0);
     vec3 sum = p.to_eye + to_light;
     vec3 h = sum * inversesqrt(max(dot(sum, sum), 1e-12));
@@ -80,15 +81,16 @@ vec3 lit_by(ShadePoint p, BrdfView brdf, vec3 to_light, vec3 illuminance) {
     BrdfTerms terms = brdf_terms(brdf, n_dot_l, n_dot_h, v_dot_h);
     float v = slot_masking(brdf.n_dot_v, n_dot_l, brdf.surface.roughness, brdf.surface.alpha);
     explain_lit(ExplainedLight(uvec4(0u), vec4(to_light, explain_distance_m), vec4(illuminance, 0.0),
-                               vec4(n_dot_l, n_dot_h, v_dot_h, 0.0), vec4(terms.d, terms.g, v, 0.0),
+                               vec4(n_dot_l, n_dot_h, v_dot_h, visible), vec4(terms.d, terms.g, v, 0.0),
                                vec4(terms.f, 0.0), vec4(terms.k_d, 0.0), vec4(terms.k_s, 0.0),
                                vec4(f.diffuse, 0.0), vec4(f.specular, 0.0)));
 #endif
+    vec3 arriving = illuminance * (visible * n_dot_l);
 #if FACET_LIGHT_PATHS
-    paths.diffuse_direct += f.diffuse * illuminance * n_dot_l;
-    paths.specular_direct += f.specular * illuminance * n_dot_l;
+    paths.diffuse_direct += f.diffuse * arriving;
+    paths.specular_direct += f.specular * arriving;
 #endif
-    return (f.diffuse + f.specular) * illuminance * n_dot_l;
+    return (f.diffuse + f.specular) * arriving;
 }
 
 // Share of a light's rays that reach this pixel. Slots that there was no room for are taken to be lit.
@@ -159,7 +161,7 @@ vec3 shade(ShadePoint p) {
 #ifdef FACET_EXPLAIN
         explain_light = i;
 #endif
-        radiance += lit_by(p, brdf, -direction, light_directional(intensity_lux) * light_visible(i));
+        radiance += lit_by(p, brdf, -direction, light_directional(intensity_lux), light_visible(i));
     }
 #if FACET_LOCAL_LIGHTS
     uvec2 tile = uvec2(gl_FragCoord.xy) / TILE_PX;
@@ -179,8 +181,8 @@ vec3 shade(ShadePoint p) {
         explain_distance_m = sqrt(d2);
 #endif
         float cone = light_spot(-dot(to_light, direction_offset.xyz), intensity_scale.w, direction_offset.w);
-        vec3 illuminance = light_point(intensity_scale.rgb, d2, position_range.w) * cone * light_visible(view.light_counts.x + i);
-        radiance += lit_by(p, brdf, to_light, illuminance);
+        vec3 illuminance = light_point(intensity_scale.rgb, d2, position_range.w) * cone;
+        radiance += lit_by(p, brdf, to_light, illuminance, light_visible(view.light_counts.x + i));
     }
 #endif
     return radiance;
