@@ -29,8 +29,9 @@ std::string lights() {
         "color is #rrggbb or \"r g b\" linear; temperature is in kelvin. inner and outer are half "
         "angles of a cone.\n";
     out +=
-        "Kinds with a size (nit) are traced by --reference; the rasteriser does not have them "
-        "yet.\n\n";
+        "Kinds with a size (nit) light by rays, in raster and reference alike; --shadows off "
+        "leaves "
+        "them out.\n\n";
     for (const auto& row : tables::light_kinds)
         out += fmt::format("{:<12} {} Unit: {}.\n{:<12} keys: {}\n", row.key, row.help, row.unit,
                            "", row.keys);
@@ -70,6 +71,13 @@ std::string cameras() {
            "it\n"
            "--fov DEG           vertical angle of view; it stays when the picture's shape differs "
            "from the camera's\n"
+           "--aperture N        f-number of a lens before a frame 24 mm high: depth of field, by "
+           "four "
+           "times as many samples;\n"
+           "                    --focus M is what is sharp, --blades N the corners of its blur\n"
+           "--shutter S --iso S with the aperture give the exposure, 1 / (1.2 N^2 / S * 100 / "
+           "ISO)\n"
+           "--projection        orthographic: as large as the scene's middle was in perspective\n"
            "facet render a.glb --list cameras  names the cameras of a file\n";
 }
 

@@ -91,8 +91,8 @@ std::array<std::uint32_t, 4> code_at(const image::Image& display, frame::PixelPl
 }  // namespace
 
 Contribution of_light(const shared::ExplainedLight& light) {
-    const DVec3 arriving = rgb(light.illuminance_lux) *
-                           static_cast<double>(light.cosines.x * light.cosines.w);
+    const DVec3 arriving =
+        rgb(light.illuminance_lux) * static_cast<double>(light.cosines.x * light.cosines.w);
     return {rgb(light.diffuse) * arriving, rgb(light.specular) * arriving};
 }
 

@@ -169,7 +169,8 @@ base::Status Frame::ask_rays(const gl::Context& gl, const FrameInputs& in, const
         if (auto s = update_sample_light(gl, in.rays->sample_light(sample.index), size(), rays_);
             !s)
             return s;
-    if (key.visibility) update_visibility(gl, in.lights, lists, size(), *in.rays, rays_);
+    if (key.visibility)
+        update_visibility(gl, in.lights, lists, size(), sample.index, *in.rays, rays_);
     set_view(gl, in, sample.view);
     return {};
 }

@@ -112,9 +112,10 @@ frame::SampleLight TracedRays::sample_light(std::uint32_t frame) {
     return {sample_light_.diffuse, sample_light_.specular};
 }
 
-std::vector<std::uint8_t> TracedRays::visibility(const frame::TileLights& lights,
-                                                 std::size_t slots) {
-    return scene_.tracer.light_visibility(seen_, Tiles(lights, scene_.lights.order), slots, pool_);
+std::vector<std::uint8_t> TracedRays::visibility(const frame::TileLights& lights, std::size_t slots,
+                                                 std::uint32_t frame) {
+    return scene_.tracer.light_visibility(seen_, Tiles(lights, scene_.lights.order), slots,
+                                          {frame, seed_ + 2}, pool_);
 }
 
 }  // namespace facet::render

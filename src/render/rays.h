@@ -36,7 +36,8 @@ public:
     [[nodiscard]] frame::SampleLight sample_light(std::uint32_t frame) override;
     [[nodiscard]] bool has_shadows() const override { return plan_.shadows; }
     [[nodiscard]] std::vector<std::uint8_t> visibility(const frame::TileLights& lights,
-                                                       std::size_t slots) override;
+                                                       std::size_t slots,
+                                                       std::uint32_t frame) override;
 
 private:
     [[nodiscard]] trace::GatherSettings settings() const;

@@ -105,6 +105,13 @@ base::Status set_size(float& size_m, std::string_view key, std::string_view valu
     return {};
 }
 
+base::Status set_width(Light& light, std::string_view value) {
+    const auto degrees = number_of("angle", value);
+    if (!degrees) return tl::unexpected(degrees.error());
+    light.angle_rad = glm::radians(*degrees);
+    return {};
+}
+
 base::Status set_range(Light& light, std::string_view value) {
     const auto range = number_of("range", value);
     if (!range) return tl::unexpected(range.error());
@@ -161,6 +168,7 @@ base::Status set_unchecked(Light& light, std::string_view key, std::string_view 
     if (key == "azimuth" || key == "elevation") return set_angle(light, key, value);
     if (key == "inner" || key == "outer") return set_cone(light, key, value);
     if (key == "range") return set_range(light, value);
+    if (key == "angle") return set_width(light, value);
     if (key == "radius") return set_size(light.radius_m, key, value);
     if (key == "width") return set_size(light.width_m, key, value);
     if (key == "height") return set_size(light.height_m, key, value);
@@ -264,6 +272,7 @@ std::string light_key_text(const Light& light, std::string_view key) {
     if (key == "inner") return number(glm::degrees(light.inner_cone_rad));
     if (key == "outer") return number(glm::degrees(light.outer_cone_rad));
     if (key == "range") return number(light.range_m);
+    if (key == "angle") return number(glm::degrees(light.angle_rad));
     if (key == "radius") return number(light.radius_m);
     if (key == "width") return number(light.width_m);
     if (key == "height") return number(light.height_m);

@@ -36,6 +36,12 @@ Vec3 illuminance(const Light& light, const Vec3& to_light, float distance2) {
 
 }  // namespace
 
+Vec3 directional_way(const Light& light, Vec2 u) {
+    if (light.angle_rad <= 0.0F) return -light.direction;
+    // A sphere of this radius, one unit away, fills that cone.
+    return Terms{}.sample_sphere(-light.direction, std::sin(0.5F * light.angle_rad), u);
+}
+
 LightSample sample_point(const Light& light, const Vec3& to_center) {
     const float distance2 = std::max(math::dot(to_center, to_center), 1e-12F);
     LightSample out;

@@ -15,6 +15,9 @@ struct LightSample {
     bool has_size = false;
 };
 
+/// A directional light: a direction within the cone that it fills, evenly drawn.
+[[nodiscard]] math::Vec3 directional_way(const scene::Light& light, math::Vec2 u);
+
 /// A point or spot light, seen from where `to_center` begins.
 [[nodiscard]] LightSample sample_point(const scene::Light& light, const math::Vec3& to_center);
 

@@ -119,7 +119,7 @@ LightSample Lights::sample(const Choice& choice, const Vec3& position_m, Vec2 u,
     if (choice.light >= lights_.size()) return sample_mesh(position_m, u, pick);
     const Light& light = lights_[choice.light];
     if (light.kind == LightKind::directional)
-        return {-light.direction, 1e30F, light.color * light.intensity, 0.0F, false};
+        return {directional_way(light, u), 1e30F, light.color * light.intensity, 0.0F, false};
     const Vec3 to_center = light.position_m - position_m;
     if (!is_sized(light)) return sample_point(light, to_center);
     LightSample out = sample_shape(light, axes_[choice.light], to_center, u);

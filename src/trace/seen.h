@@ -81,6 +81,12 @@ struct SampleLight {
 /// A unit vector as 24 bits of an octahedral map; exact in float.
 [[nodiscard]] float packed_normal(const math::Vec3& n);
 
+/// Which numbers are drawn: those of a picture's frame.
+struct SampleId {
+    std::uint32_t frame = 0;
+    std::uint32_t seed = 0;
+};
+
 /// Lights that may reach a pixel, as indices of the scene's.
 class LightChoice {
 public:

@@ -215,9 +215,9 @@ SampleLight Tracer::sample_light(const Seen& seen, const IndirectPixels& middles
 }
 
 std::vector<std::uint8_t> Tracer::light_visibility(const Seen& seen, const LightChoice& lights,
-                                                   std::size_t slots,
+                                                   std::size_t slots, const SampleId& sample,
                                                    base::ThreadPool& pool) const {
-    return trace::light_visibility(impl_->world(0), seen, lights, slots, pool);
+    return trace::light_visibility(impl_->world(0), seen, lights, slots, sample, pool);
 }
 
 std::vector<image::Layer> Tracer::aovs(const TraceSettings& settings,

@@ -99,6 +99,7 @@ public:
     [[nodiscard]] std::vector<std::uint8_t> light_visibility(const Seen& seen,
                                                              const LightChoice& lights,
                                                              std::size_t slots,
+                                                             const SampleId& sample,
                                                              base::ThreadPool& pool) const;
 
 private:

@@ -11,8 +11,10 @@ namespace {
 using math::Vec3;
 
 /// From the surface to a light without a size; 0 where the surface turns away.
-float visible(const World& world, const Surface& surface, const scene::Light& light) {
+float visible(const World& world, const Surface& surface, const scene::Light& light,
+              Sequence& sequence) {
     Ray ray{.origin = surface.outside_m, .direction = -light.direction};
+    if (light.angle_rad > 0.0F) ray.direction = directional_way(light, sequence.next_pair());
     if (light.kind != tables::LightKind::directional) {
         const Vec3 way = light.position_m - surface.outside_m;
         const float distance = math::length(way);
@@ -31,7 +33,7 @@ float visible(const World& world, const Surface& surface, const scene::Light& li
 
 std::vector<std::uint8_t> light_visibility(const World& world, const Seen& seen,
                                            const LightChoice& lights, std::size_t slots,
-                                           base::ThreadPool& pool) {
+                                           const SampleId& sample, base::ThreadPool& pool) {
     const std::size_t pixels = seen.pixels.size();
     std::vector<std::uint8_t> out(slots * pixels, 255);
     pool.parallel_for(seen.size.height, [&](std::size_t row) {
@@ -42,9 +44,10 @@ std::vector<std::uint8_t> light_visibility(const World& world, const Seen& seen,
             if (pixel.instance == SeenPixel::nothing) continue;
             const Surface surface = seen_surface(world.scene, world.frames, pixel, seen.ray(x, y));
             const auto choice = lights.at(x, y);
+            Sequence sequence(seen.number_of(x, y), sample.frame, sample.seed);
             for (std::size_t i = 0; i < std::min(choice.size(), slots); ++i)
-                out[i * pixels + at] = static_cast<std::uint8_t>(
-                    std::lround(255.0F * visible(world, surface, world.scene.lights[choice[i]])));
+                out[i * pixels + at] = static_cast<std::uint8_t>(std::lround(
+                    255.0F * visible(world, surface, world.scene.lights[choice[i]], sequence)));
         }
     });
     return out;

@@ -8,10 +8,12 @@
 
 namespace facet::trace {
 
-/// Share of each light that reaches each pixel, 0..255: [slot, height, width] by place in the
-/// pixel's choice. Slots beyond `slots` are left out. The same bytes for any number of threads.
+/// `sample`: where in a wide light is looked at. Share of each light that reaches each pixel,
+/// 0..255: [slot, height, width] by place in the pixel's choice. Slots beyond `slots` are left out.
+/// The same bytes for any number of threads.
 [[nodiscard]] std::vector<std::uint8_t> light_visibility(const World& world, const Seen& seen,
                                                          const LightChoice& lights,
-                                                         std::size_t slots, base::ThreadPool& pool);
+                                                         std::size_t slots, const SampleId& sample,
+                                                         base::ThreadPool& pool);
 
 }  // namespace facet::trace

@@ -138,7 +138,7 @@ TEST(LightVisibility, AWallShadesTheFloorAsFarAsItsHeightOverTheTangent) {
     ASSERT_TRUE(tracer);
     AllLights lights;
     lights.indices = {0, 1, 2};
-    const auto shares = tracer->light_visibility(look_down(8), lights, 3, pool);
+    const auto shares = tracer->light_visibility(look_down(8), lights, 3, {}, pool);
     ASSERT_EQ(shares.size(), 24U);
     for (std::size_t x = 0; x < 8; ++x) {
         EXPECT_EQ(shares[x], x < 4 ? 0 : 255) << x;

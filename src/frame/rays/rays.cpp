@@ -104,13 +104,13 @@ base::Status update_sample_light(const gl::Context& gl, const SampleLight& light
 }
 
 void update_visibility(const gl::Context& gl, const PackedLights& lights, const LightLists* lists,
-                       math::Extent size, Rays& rays, RayTextures& out) {
+                       math::Extent size, std::uint32_t frame, Rays& rays, RayTextures& out) {
     const TileLights tiles = tile_lights(lights, lists);
     GLint most_texels = 0;
     gl.api().GetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most_texels);
     const auto room = static_cast<std::size_t>(most_texels) / size.pixels();
     const std::size_t slots = std::min(longest(tiles), room);
-    const std::vector<std::uint8_t> shares = rays.visibility(tiles, slots);
+    const std::vector<std::uint8_t> shares = rays.visibility(tiles, slots, frame);
     out.slots = static_cast<std::uint32_t>(slots);
     if (slots > 0) gl::update_buffer(gl, out.visibility, std::as_bytes(std::span(shares)));
 }

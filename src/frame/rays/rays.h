@@ -73,7 +73,8 @@ public:
     /// Share of light that arrives, 0..255: [slot, height, width] by a light's place in its tile's
     /// list.
     [[nodiscard]] virtual std::vector<std::uint8_t> visibility(const TileLights& lights,
-                                                               std::size_t slots) = 0;
+                                                               std::size_t slots,
+                                                               std::uint32_t frame) = 0;
 };
 
 /// What rays found, on the GL.
@@ -94,6 +95,6 @@ struct RayTextures {
                                                math::Extent size, RayTextures& out);
 /// Asks for the lights' visibility and uploads it: as many slots as the driver has room for.
 void update_visibility(const gl::Context& gl, const PackedLights& lights, const LightLists* lists,
-                       math::Extent size, Rays& rays, RayTextures& out);
+                       math::Extent size, std::uint32_t frame, Rays& rays, RayTextures& out);
 
 }  // namespace facet::frame
