@@ -323,6 +323,24 @@ IndirectPixels gather(const World& world, const Seen& seen, const GatherSettings
     return Gatherer(world, seen, settings).run(pool);
 }
 
+namespace {
+
+/// Luminance that a single sample may have at a place: a few times what is mirrored around it, as
+/// the middles of pixels tell. The few paths that find more would show as dots.
+float most_mirrored(const IndirectPixels& middles, std::uint32_t x, std::uint32_t y) {
+    constexpr float times = 4.0F;
+    float most = 0.0F;
+    for (std::uint32_t j = y == 0 ? 0 : y - 1; j <= std::min(y + 1, middles.size.height - 1); ++j)
+        for (std::uint32_t i = x == 0 ? 0 : x - 1; i <= std::min(x + 1, middles.size.width - 1);
+             ++i)
+            most = std::max(
+                most,
+                math::luminance(Vec3(middles.specular[std::size_t{j} * middles.size.width + i])));
+    return times * most;
+}
+
+}  // namespace
+
 SampleLight sample_light(const World& world, const Seen& seen, const IndirectPixels& middles,
                          const GatherSettings& settings, std::uint32_t frame,
                          base::ThreadPool& pool) {
@@ -333,8 +351,9 @@ SampleLight sample_light(const World& world, const Seen& seen, const IndirectPix
             const std::size_t at = row * seen.size.width + x;
             const SeenPixel& pixel = seen.pixels[at];
             if (pixel.instance == SeenPixel::nothing) continue;
-            const std::size_t place =
-                std::size_t{y / middles.stride} * middles.size.width + x / middles.stride;
+            const std::uint32_t place_x = x / middles.stride;
+            const std::uint32_t place_y = y / middles.stride;
+            const std::size_t place = std::size_t{place_y} * middles.size.width + place_x;
             const bool is_intricate = settings.intricate > 0 && middles.intricate[place] != 0;
             const bool is_smooth = pixel.roughness * pixel.roughness < settings.mirrored_alpha;
             if (!is_smooth && !is_intricate) continue;
@@ -352,7 +371,10 @@ SampleLight sample_light(const World& world, const Seen& seen, const IndirectPix
             }
             const float share = 1.0F / static_cast<float>(count);
             const auto weight = bsdf.environment_weight();
-            out.specular[at] = Vec4(over(light.specular * share, filled(weight.specular)), 1.0F);
+            Vec3 specular = over(light.specular * share, filled(weight.specular));
+            const float most = most_mirrored(middles, place_x, place_y);
+            if (const float nit = math::luminance(specular); nit > most) specular *= most / nit;
+            out.specular[at] = Vec4(specular, 1.0F);
             if (is_intricate)
                 out.diffuse[at] = Vec4(
                     over((light.diffuse_sky + light.diffuse_rest) * share, filled(weight.diffuse)),
