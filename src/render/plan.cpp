@@ -258,21 +258,28 @@ base::Status plan_machine(const tables::Settings& settings, Plan& plan) {
 constexpr std::uint64_t frame_bytes = 80;
 constexpr std::uint64_t aov_bytes = 48;   // target, read-back and layer
 constexpr std::uint64_t path_bytes = 24;  // a light path's beside that: one frame's, or the film's
+constexpr std::uint64_t ray_bytes =
+    560;  // what rays are asked and answer: surfaces read back, sums and means of paths, textures
 constexpr std::uint64_t film_bytes =
     96;  // sums, their mean, and its copies for the GL and the file
 
 base::Status check_memory(const tables::Settings& settings, Plan& plan) {
     const std::uint64_t pixels = plan.region.size.pixels();
     const std::size_t paths = tables::of_kind(plan.aovs, tables::AovKind::light_path).size();
-    const std::uint64_t needed = pixels * (frame_bytes + aov_bytes * plan.aovs.size() +
-                                           path_bytes * paths + (plan.reference ? film_bytes : 0));
+    const std::uint64_t needed =
+        pixels * (frame_bytes + aov_bytes * plan.aovs.size() + path_bytes * paths +
+                  (plan.rays.any() ? ray_bytes : 0) + (plan.reference ? film_bytes : 0));
     if (needed <= plan.limits.memory_bytes) return {};
-    return base::fail({.code = ErrorCode::limit_reached,
-                       .file = "--size",
-                       .what = fmt::format("the frame needs {} MiB, the limit is {} MiB",
-                                           needed >> 20U, plan.limits.memory_bytes >> 20U),
-                       .found = fmt::format("{}x{}", settings.size.width, settings.size.height),
-                       .remedy = "--region renders it in parts, --max-memory raises the limit"});
+    return base::fail(
+        {.code = ErrorCode::limit_reached,
+         .file = "--size",
+         .what = fmt::format("the frame needs {} MiB, the limit is {} MiB", needed >> 20U,
+                             plan.limits.memory_bytes >> 20U),
+         .found = fmt::format("{}x{}", settings.size.width, settings.size.height),
+         .remedy = plan.rays.any()
+                       ? "--region renders it in parts, --shadows off takes less, "
+                         "--max-memory raises the limit"
+                       : "--region renders it in parts, --max-memory raises the limit"});
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Thumbnails of a model library: `facet batch` beside f3d, one process a picture, and three.js in one reused page.
+"""Thumbnails of a model library: `facet batch` (without rays: the others have none) beside f3d, one process a picture, and three.js in one reused page.
 
     tests/bench/thumbnails.py FACET MODELS HDRI [--three FOLDER] [--rounds N]
 
@@ -31,7 +31,7 @@ def make_job(folder, models, env, name):
     for number, model in enumerate(models):
         sides = [SIDES_DEG[i] for i in range(3) if i * len(models) + number < PICTURES]
         items.append({"scene": str(model), "camera": [f"orbit:azimuth={side},elevation=15" for side in sides]})
-    job = {"facet": 1, "output": name + "/{folder}-{index:03}.png", "defaults": {"size": [256, 256], "env": env}, "items": items}
+    job = {"facet": 1, "output": name + "/{folder}-{index:03}.png", "defaults": {"size": [256, 256], "env": env, "shadows": "off"}, "items": items}
     path = folder / f"{name}.json"
     path.write_text(json.dumps(job))
     return path
