@@ -35,13 +35,6 @@ Vec2 place_on_lens(const Camera& camera, Vec2 u) {
     return Vec2(std::cos(angle), std::sin(angle)) * (r * camera.lens_radius_m);
 }
 
-float blur_px(const Camera& camera, float depth_m, std::uint32_t height_px) {
-    const float across_m = 2.0F * camera.focus_m * std::tan(0.5F * camera.yfov_rad);
-    const float at_focus_m =
-        2.0F * camera.lens_radius_m * std::fabs(depth_m - camera.focus_m) / depth_m;
-    return at_focus_m / across_m * static_cast<float>(height_px);
-}
-
 double exposure_value(double f_number, double shutter_s, double iso) {
     return std::log2(f_number * f_number / shutter_s * 100.0 / iso);
 }

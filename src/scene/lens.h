@@ -19,11 +19,6 @@ inline constexpr float sensor_height_m = 0.024F;
 /// disk (Shirley & Chiu 1997) or over a polygon with a corner at the top.
 [[nodiscard]] Vec2 place_on_lens(const Camera& camera, Vec2 u);
 
-/// Diameter in pixels of the blur that a point at `depth_m` becomes in a picture of that height:
-/// (f / N) f |s - s_f| / (s (s_f - f)) on the sensor, with the picture in focus at s_f filling the
-/// field of view (Potmesil & Chakravarty 1981, Eq. 5; f small beside s_f).
-[[nodiscard]] float blur_px(const Camera& camera, float depth_m, std::uint32_t height_px);
-
 /// EV at ISO 100: log2(N^2 / t * 100 / S) (ISO 2720).
 [[nodiscard]] double exposure_value(double f_number, double shutter_s, double iso);
 
