@@ -13,7 +13,7 @@ def write_job(folder, item_count, size=(128, 96)):
     job = {
         "facet": 1,
         "output": "out/{scene}/{index:05}.png",
-        "defaults": {"size": list(size), "samples": 4, "env": "overcast"},
+        "defaults": {"size": list(size), "samples": 4, "shadows": "off", "env": "overcast"},
         "items": [
             {"scene": scene, "set": {"material.*.roughness": {"random": [0.1, 1], "count": count, "seed": 5}}}
             for scene, count in [
