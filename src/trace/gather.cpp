@@ -67,15 +67,10 @@ public:
         draw_left_out(helpers, pool);
         draw_more(helpers, pool);
         even_variances(size_, points_, means_, settings_.apart, pool);
-        intricate_.resize(points_.size());
-        for (std::size_t i = 0; i < points_.size(); ++i) {
-            constexpr float few = 4.0F;
-            intricate_[i] = helpers[i].diffuse < few ? 1 : 0;
-        }
         const float even = scale_specular();
         smooth(size_, points_, means_, smooth_passes, pool);
         for (std::size_t i = 0; i < means_.size(); ++i) means_[i].specular *= expected_[i] + even;
-        return result();
+        return result(helpers);
     }
 
 private:
@@ -280,7 +275,7 @@ private:
         return even;
     }
 
-    [[nodiscard]] IndirectPixels result() const {
+    [[nodiscard]] IndirectPixels result(const std::vector<Helpers>& helpers) const {
         const std::size_t count = points_.size();
         IndirectPixels out{size_,
                            settings_.stride,
@@ -288,9 +283,10 @@ private:
                            std::vector<Vec4>(count),
                            std::vector<Vec4>(count),
                            std::vector<Vec4>(count, Vec4(0.0F, 0.0F, 0.0F, -1.0F)),
-                           {}};
-        out.intricate = intricate_;
+                           std::vector<std::uint8_t>(count)};
         for (std::size_t i = 0; i < count; ++i) {
+            constexpr float few = 4.0F;
+            out.intricate[i] = helpers[i].diffuse < few ? 1 : 0;
             if (!points_[i].is_surface) continue;
             const GatheredMeans& mean = means_[i];
             Vec3 visible(1.0F);
@@ -312,7 +308,6 @@ private:
     std::vector<Place> places_;
     std::vector<GatherPoint> points_;
     std::vector<GatheredMeans> means_;
-    std::vector<std::uint8_t> intricate_;
     std::vector<float> expected_;  ///< luminance in the mirrored direction
 };
 
@@ -345,18 +340,14 @@ SampleLight sample_light(const World& world, const Seen& seen, const IndirectPix
                          const GatherSettings& settings, std::uint32_t frame,
                          base::ThreadPool& pool) {
     SampleLight out{std::vector<Vec4>(seen.pixels.size()), std::vector<Vec4>(seen.pixels.size())};
-    pool.parallel_for(seen.size.height, [&](std::size_t row) {
-        const auto y = static_cast<std::uint32_t>(row);
-        for (std::uint32_t x = 0; x < seen.size.width; ++x) {
-            const std::size_t at = row * seen.size.width + x;
-            const SeenPixel& pixel = seen.pixels[at];
-            if (pixel.instance == SeenPixel::nothing) continue;
+    for_each_surface(
+        seen, pool, [&](std::uint32_t x, std::uint32_t y, std::size_t at, const SeenPixel& pixel) {
             const std::uint32_t place_x = x / middles.stride;
             const std::uint32_t place_y = y / middles.stride;
             const std::size_t place = std::size_t{place_y} * middles.size.width + place_x;
             const bool is_intricate = settings.intricate > 0 && middles.intricate[place] != 0;
             const bool is_smooth = pixel.roughness * pixel.roughness < settings.mirrored_alpha;
-            if (!is_smooth && !is_intricate) continue;
+            if (!is_smooth && !is_intricate) return;
             const Ray ray = seen.ray(x, y);
             const Surface surface = seen_surface(world.scene, world.frames, pixel, ray);
             const Bsdf bsdf(world.model, surface, -ray.direction);
@@ -379,8 +370,7 @@ SampleLight sample_light(const World& world, const Seen& seen, const IndirectPix
                 out.diffuse[at] = Vec4(
                     over((light.diffuse_sky + light.diffuse_rest) * share, filled(weight.diffuse)),
                     1.0F);
-        }
-    });
+        });
     return out;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/thread_pool.h"
 #include "math/vector.h"
 #include "trace/surface.h"
 
@@ -38,6 +39,19 @@ struct Seen {
         return pixel_m + pixel_spread * math::dot(position_m - eye_m, forward);
     }
 };
+
+/// Calls of(x, y, index, pixel) for every pixel that has a surface, row by row on `pool`.
+template <class Of>
+void for_each_surface(const Seen& seen, base::ThreadPool& pool, const Of& of) {
+    pool.parallel_for(seen.size.height, [&](std::size_t row) {
+        for (std::uint32_t x = 0; x < seen.size.width; ++x) {
+            const std::size_t at = row * seen.size.width + x;
+            const SeenPixel& pixel = seen.pixels[at];
+            if (pixel.instance != SeenPixel::nothing)
+                of(x, static_cast<std::uint32_t>(row), at, pixel);
+        }
+    });
+}
 
 struct GatherSettings {
     std::uint32_t samples = 8;       ///< paths at each place, at least

@@ -105,7 +105,6 @@ private:
         GatheredMeans mean;
         float diffuse = 0.0F;  ///< of weights
         float specular = 0.0F;
-        float presence = 0.0F;
 
         void add_diffuse(const GatheredMeans& m, float w) {
             mean.sky += m.sky * w;

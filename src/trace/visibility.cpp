@@ -36,20 +36,15 @@ std::vector<std::uint8_t> light_visibility(const World& world, const Seen& seen,
                                            const SampleId& sample, base::ThreadPool& pool) {
     const std::size_t pixels = seen.pixels.size();
     std::vector<std::uint8_t> out(slots * pixels, 255);
-    pool.parallel_for(seen.size.height, [&](std::size_t row) {
-        const auto y = static_cast<std::uint32_t>(row);
-        for (std::uint32_t x = 0; x < seen.size.width; ++x) {
-            const std::size_t at = row * seen.size.width + x;
-            const SeenPixel& pixel = seen.pixels[at];
-            if (pixel.instance == SeenPixel::nothing) continue;
+    for_each_surface(
+        seen, pool, [&](std::uint32_t x, std::uint32_t y, std::size_t at, const SeenPixel& pixel) {
             const Surface surface = seen_surface(world.scene, world.frames, pixel, seen.ray(x, y));
             const auto choice = lights.at(x, y);
             Sequence sequence(seen.number_of(x, y), sample.frame, sample.seed);
             for (std::size_t i = 0; i < std::min(choice.size(), slots); ++i)
                 out[i * pixels + at] = static_cast<std::uint8_t>(std::lround(
                     255.0F * visible(world, surface, world.scene.lights[choice[i]], sequence)));
-        }
-    });
+        });
     return out;
 }
 

@@ -27,14 +27,15 @@ struct Pixels {
     std::uint32_t parts;
     std::uint32_t width = panorama.width * parts;
     std::uint32_t height = panorama.height * parts;
+    std::vector<double> sin_phi{}, cos_phi{};  ///< of each column, turned
     [[nodiscard]] const Lanes& at(std::uint32_t x, std::uint32_t y) const {
         return panorama.pixels[(std::size_t{y / parts} + 1) * panorama.stride + x / parts];
     }
 };
 
 /// Pixels [x0, x1) x [y0, y1) as one.
-Cell cell_of(const Pixels& pixels, double rotation_rad, std::uint32_t x0, std::uint32_t x1,
-             std::uint32_t y0, std::uint32_t y1) {
+Cell cell_of(const Pixels& pixels, std::uint32_t x0, std::uint32_t x1, std::uint32_t y0,
+             std::uint32_t y1) {
     double solid_angle = 0.0;
     double light[3] = {};
     double middle[3] = {};  // of the cell
@@ -43,12 +44,12 @@ Cell cell_of(const Pixels& pixels, double rotation_rad, std::uint32_t x0, std::u
         const double top = pi * y / pixels.height;
         const double bottom = pi * (y + 1.0) / pixels.height;
         const double omega = 2.0 * pi / pixels.width * (std::cos(top) - std::cos(bottom));
-        const double polar = 0.5 * (top + bottom);
+        const double sin_polar = std::sin(0.5 * (top + bottom));
+        const double cos_polar = std::cos(0.5 * (top + bottom));
         for (std::uint32_t x = x0; x < x1; ++x) {
             const Lanes& pixel = pixels.at(x, y);
-            const double phi = ((x + 0.5) / pixels.width - 0.5) * 2.0 * pi - rotation_rad;
-            const double d[3] = {std::sin(phi) * std::sin(polar), std::cos(polar),
-                                 -std::cos(phi) * std::sin(polar)};
+            const double d[3] = {pixels.sin_phi[x] * sin_polar, cos_polar,
+                                 -pixels.cos_phi[x] * sin_polar};
             double sum = 0.0;
             for (int c = 0; c < 3; ++c) {
                 const double part = static_cast<double>(pixel[c]) * omega;
@@ -74,7 +75,12 @@ Cell cell_of(const Pixels& pixels, double rotation_rad, std::uint32_t x0, std::u
 
 std::vector<Cell> cells_of(const Panorama& panorama, double rotation_rad, base::ThreadPool& pool) {
     const std::uint32_t least = std::min(panorama.height, panorama.width);
-    const Pixels pixels{panorama, (most_rows + least - 1) / least};
+    Pixels pixels{panorama, (most_rows + least - 1) / least};
+    for (std::uint32_t x = 0; x < pixels.width; ++x) {
+        const double phi = ((x + 0.5) / pixels.width - 0.5) * 2.0 * pi - rotation_rad;
+        pixels.sin_phi.push_back(std::sin(phi));
+        pixels.cos_phi.push_back(std::cos(phi));
+    }
     const std::uint32_t down = std::min(pixels.height, most_rows);
     const std::uint32_t across = std::min(pixels.width, 2 * most_rows);
     std::vector<Cell> cells(std::size_t{down} * across);
@@ -85,9 +91,8 @@ std::vector<Cell> cells_of(const Panorama& panorama, double rotation_rad, base::
         const auto j = static_cast<std::uint32_t>(row);
         for (std::uint32_t i = 0; i < across; ++i)
             cells[row * across + i] =
-                cell_of(pixels, rotation_rad, part(i, across, pixels.width),
-                        part(i + 1, across, pixels.width), part(j, down, pixels.height),
-                        part(j + 1, down, pixels.height));
+                cell_of(pixels, part(i, across, pixels.width), part(i + 1, across, pixels.width),
+                        part(j, down, pixels.height), part(j + 1, down, pixels.height));
     });
     return cells;
 }
