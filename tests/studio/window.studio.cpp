@@ -20,9 +20,10 @@ using support::text_of;
 bool has_tools() { return std::system("command -v Xvfb xdotool xwd >/dev/null 2>&1") == 0; }
 
 /// Starts a screen and the studio on it, then does `steps` with helpers at hand, then ends both.
+/// Without rays, which come in their own time: a screen at rest is a finished picture then.
 /// A window of 1280x720 has the roughness slider of the material panel at x 1060 to 1238, y 242.
 Ran with_window(const TemporaryFolder& folder, const std::string& steps,
-                const std::string& arguments = "scene.glb") {
+                const std::string& arguments = "") {
     const std::string script = R"(
 set -eu
 exec 3>display
@@ -34,7 +35,8 @@ tries=0
 until [ -s display ]; do sleep 0.05; tries=$((tries + 1)); [ $tries -lt 200 ]; done
 export DISPLAY=:$(cat display) XDG_CONFIG_HOME="$PWD/config" XDG_STATE_HOME="$PWD/state" LANG=C
 start() {
-    ")" FACET_BINARY_DIR R"(/facet" studio "$@" --window 1280x720 2>studio.err &
+    ")" FACET_BINARY_DIR R"(/facet" studio scene.glb --shadows off "$@" \
+        --window 1280x720 2>studio.err &
     studio=$!
     tries=0
     until xdotool search --name "Facet Studio" >/dev/null 2>&1; do
@@ -45,7 +47,7 @@ start() {
 # Waits until two screenshots are alike: the picture is finished then.
 rest() {
     sleep 0.6; xwd -root -silent -out a.xwd; tries=0
-    until sleep 0.4; xwd -root -silent -out b.xwd; cmp -s a.xwd b.xwd; do
+    until sleep 0.8; xwd -root -silent -out b.xwd; cmp -s a.xwd b.xwd; do
         mv b.xwd a.xwd; tries=$((tries + 1)); [ $tries -lt 50 ]
     done
 }
@@ -119,11 +121,11 @@ shot saved.xwd
 xdotool key ctrl+q
 wait $studio
 ls state/facet 2>/dev/null >left.txt || true
-start scene.glb --exposure 1 --shadows off
+start --exposure 1
 xdotool mousemove 640 715
 shot again.xwd
 )",
-                                "scene.glb --exposure 1 --shadows off");
+                                "--exposure 1");
     ASSERT_EQ(ran.exit, 0) << ran.err << text_of(folder / "studio.err");
     const Screenshot before(folder / "before.xwd");
     const Screenshot after(folder / "after.xwd");
@@ -146,7 +148,7 @@ xdotool mousemove 640 715
 shot after.xwd
 kill -9 $studio
 wait $studio 2>/dev/null || true
-start scene.glb --exposure 1 --shadows off
+start --exposure 1
 shot offered.xwd
 xdotool key Return
 rest
