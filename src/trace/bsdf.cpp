@@ -111,6 +111,14 @@ Scattered Bsdf::evaluate(const Vec3& to_light) const {
     return out;
 }
 
+Scattered Bsdf::evaluate_specular(const Vec3& to_light) const {
+    Cosines at;
+    if (is_mirror_ || !cosines(to_light, at)) return {};
+    Lobes terms = model_->environment;
+    return {Vec3(0.0F), values(terms, at).specular * at.n_dot_l,
+            terms.brdf_pdf(view_, sampler_, at.n_dot_l, at.n_dot_h, at.v_dot_h)};
+}
+
 Bsdf::DiffuseShares Bsdf::diffuse_shares(const Vec3& to_light) const {
     Cosines at;
     if (!cosines(to_light, at)) return {};

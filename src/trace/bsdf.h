@@ -47,6 +47,9 @@ public:
     /// For a unit direction to the light. Zero below the surface. A mirror's lobe is not in it.
     [[nodiscard]] Scattered evaluate(const math::Vec3& to_light) const;
 
+    /// Of the specular lobe alone, and of the environment alone; the density is the whole one.
+    [[nodiscard]] Scattered evaluate_specular(const math::Vec3& to_light) const;
+
     /// What the diffuse lobe has of evaluate()'s values, by channel, [0, 1].
     struct DiffuseShares {
         math::Vec3 of_light{0.0F};

@@ -18,6 +18,8 @@ constexpr std::uint32_t tile_places = 16;
 /// A lobe that sends on less than this of the light that it gets tells nothing of that light.
 constexpr float weight_min = 1e-3F;
 constexpr std::uint32_t smooth_passes = 4;
+/// Draws of the open sky at a place: they need no ray.
+constexpr std::uint32_t open_draws = 16;
 
 /// Component by component; 0 where the divisor is too small to tell.
 Vec3 over(const Vec3& a, const Vec3& b) {
@@ -69,7 +71,7 @@ public:
         even_variances(size_, points_, means_, settings_.apart, pool);
         const float even = scale_specular();
         smooth(size_, points_, means_, smooth_passes, pool);
-        for (std::size_t i = 0; i < means_.size(); ++i) means_[i].specular *= expected_[i] + even;
+        compose_specular(even);
         return result(helpers);
     }
 
@@ -178,17 +180,21 @@ private:
         const Cone cone{seen_.pixel_width_at(surface.position_m), seen_.pixel_spread};
         const std::uint32_t number = seen_.number_of(place.x, place.y);
         GatheredMeans& sum = place.sum;
+        const std::uint32_t drawn_before = place.count;
         for (; place.count < count; ++place.count) {
             Sequence sequence(number, place.count, settings_.seed);
             Gathered light;
             gather_light(world_, surface, to_eye, cone, sequence, light);
             const Vec3 sky = over(light.diffuse_sky, diffuse_weight);
             const Vec3 rest = over(light.diffuse_rest, diffuse_weight);
-            const Vec3 mirrored = over(light.specular, specular_weight);
+            const Vec3 mirrored_sky = over(light.specular_sky, specular_weight);
+            const Vec3 mirrored = mirrored_sky + over(light.specular_rest, specular_weight);
             sum.sky += sky;
             sum.open += over(light.diffuse_open, diffuse_weight);
             sum.rest += rest;
             sum.specular += mirrored;
+            sum.specular_sky += mirrored_sky;
+            sum.specular_open += over(light.specular_open, specular_weight);
             place.diffuse.add(math::luminance(sky + rest));
             place.specular.add(math::luminance(mirrored));
         }
@@ -198,6 +204,12 @@ private:
         mean.open = sum.open * share;
         mean.rest = sum.rest * share;
         mean.specular = sum.specular * share;
+        mean.specular_sky = sum.specular_sky * share;
+        mean.specular_open = sum.specular_open * share;
+        if (drawn_before == 0)
+            mean.specular_known =
+                over(open_specular(world_, surface, to_eye, number, settings_.seed + 3, open_draws),
+                     specular_weight);
         mean.diffuse_variance = place.diffuse.variance(count);
         mean.specular_variance = place.specular.variance(count);
         mean.has_specular = 1.0F;
@@ -270,9 +282,34 @@ private:
         for (std::size_t i = 0; i < means_.size(); ++i) {
             const float scale = 1.0F / (expected_[i] + even);
             means_[i].specular *= scale;
+            means_[i].specular_sky *= scale;
+            means_[i].specular_open *= scale;
+            means_[i].specular_known *= scale;
             means_[i].specular_variance *= scale * scale;
         }
         return even;
+    }
+
+    /// Out of those units again. What the lobe would mirror of the open sky is known from many
+    /// draws without rays; the few paths tell which share of it arrives (a ratio estimator: Heitz,
+    /// Hill and McGuire 2018, "Combining Analytic Direct Illumination and Stochastic Shadows").
+    void compose_specular(float even) {
+        for (std::size_t i = 0; i < means_.size(); ++i) {
+            GatheredMeans& mean = means_[i];
+            const Vec3 rest = mean.specular - mean.specular_sky;
+            mean.specular =
+                (visible_share(mean.specular_sky, mean.specular_open) * mean.specular_known +
+                 rest) *
+                (expected_[i] + even);
+        }
+    }
+
+    /// Part of `open` that `seen` is; all where nothing is known.
+    [[nodiscard]] static Vec3 visible_share(const Vec3& seen, const Vec3& open) {
+        Vec3 visible(1.0F);
+        for (int c = 0; c < 3; ++c)
+            if (open[c] > 0.0F) visible[c] = std::clamp(seen[c] / open[c], 0.0F, 1.0F);
+        return visible;
     }
 
     [[nodiscard]] IndirectPixels result(const std::vector<Helpers>& helpers) const {
@@ -289,11 +326,7 @@ private:
             out.intricate[i] = helpers[i].diffuse < few ? 1 : 0;
             if (!points_[i].is_surface) continue;
             const GatheredMeans& mean = means_[i];
-            Vec3 visible(1.0F);
-            for (int c = 0; c < 3; ++c)
-                if (mean.open[c] > 0.0F)
-                    visible[c] = std::clamp(mean.sky[c] / mean.open[c], 0.0F, 1.0F);
-            out.sky[i] = Vec4(visible, mean.has_diffuse);
+            out.sky[i] = Vec4(visible_share(mean.sky, mean.open), mean.has_diffuse);
             out.rest[i] = Vec4(mean.rest, 0.0F);
             out.specular[i] = Vec4(mean.specular, 0.0F);
             out.guide[i] = Vec4(points_[i].position_m, packed_normal(points_[i].normal));
@@ -362,7 +395,8 @@ SampleLight sample_light(const World& world, const Seen& seen, const IndirectPix
             }
             const float share = 1.0F / static_cast<float>(count);
             const auto weight = bsdf.environment_weight();
-            Vec3 specular = over(light.specular * share, filled(weight.specular));
+            Vec3 specular =
+                over((light.specular_sky + light.specular_rest) * share, filled(weight.specular));
             const float most = most_mirrored(middles, place_x, place_y);
             if (const float nit = math::luminance(specular); nit > most) specular *= most / nit;
             out.specular[at] = Vec4(specular, 1.0F);

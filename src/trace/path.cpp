@@ -108,9 +108,9 @@ private:
             else
                 book_->add_indirect(nit, share);
         } else {
-            (at_once && from == From::sky ? book_->diffuse_sky : book_->diffuse_rest) +=
-                nit * share;
-            book_->specular += nit - nit * share;
+            const bool is_sky = at_once && from == From::sky;
+            (is_sky ? book_->diffuse_sky : book_->diffuse_rest) += nit * share;
+            (is_sky ? book_->specular_sky : book_->specular_rest) += nit - nit * share;
         }
     }
     /// Light of a ray that surfaces have scattered already.
@@ -126,11 +126,15 @@ private:
             write(nit, from_camera() ? bsdf.diffuse_shares(direction) : first_, from,
                   from_camera());
     }
-    /// What the diffuse lobe would get of the sky along the ray if nothing were in its way.
+    /// What would come of the sky if nothing were in its way.
+    void add_open(const Vec3& nit, const Bsdf::DiffuseShares& shares) {
+        book_->diffuse_open += nit * shares.of_environment;
+        book_->specular_open += nit - nit * shares.of_environment;
+    }
     void add_open_sky() {
         const EnvironmentLight::Light light = world_.environment.at(ray_.direction);
         const float share = mirrored_ ? 1.0F : power_share(pdf_, light.pdf);
-        book_->diffuse_open += throughput_ * light.radiance_nit * share * first_.of_environment;
+        add_open(throughput_ * light.radiance_nit * share, first_);
     }
 
     /// Goes on behind a blended surface that let the ray through.
@@ -200,8 +204,7 @@ private:
         const Vec3 open =
             throughput_ * f.of_environment * sample.light.radiance_nit * (share / sample.light.pdf);
         if constexpr (books == Books::gathered)
-            if (from_camera())
-                book_->diffuse_open += open * bsdf.diffuse_shares(sample.direction).of_environment;
+            if (from_camera()) add_open(open, bsdf.diffuse_shares(sample.direction));
         const float through = world_.geometry.transmittance({origin, sample.direction});
         if (through <= 0.0F) return;
         add_drawn(open * through, bsdf, sample.direction, From::sky);
@@ -297,6 +300,33 @@ PathLight trace_path(const World& world, const Ray& camera_ray, Cone cone, Seque
     if (apart == nullptr)
         return Path<Books::none>(world, camera_ray, cone, sequence, nullptr).trace();
     return Path<Books::by_path>(world, camera_ray, cone, sequence, apart).trace();
+}
+
+Vec3 open_specular(const World& world, const Surface& surface, const Vec3& to_eye,
+                   std::uint32_t number, std::uint32_t seed, std::uint32_t draws) {
+    Vec3 sum(0.0F);
+    if (world.environment.is_black()) return sum;
+    const Bsdf bsdf(world.model, surface, to_eye, Bsdf::Draws::specular);
+    for (std::uint32_t i = 0; i < draws; ++i) {
+        Sequence sequence(number, i, seed);
+        const EnvironmentLight::Sample sky = world.environment.sample(sequence.next_pair());
+        if (sky.light.pdf > 0.0F) {
+            const Scattered f = bsdf.evaluate_specular(sky.direction);
+            if (f.pdf > 0.0F)
+                sum += f.of_environment * sky.light.radiance_nit *
+                       (power_share(sky.light.pdf, f.pdf) / sky.light.pdf);
+        }
+        const Bsdf::Sample sample = bsdf.sample(sequence.next_pair(), 0.0F);
+        if (!sample.is_valid) continue;
+        const EnvironmentLight::Light light = world.environment.at(sample.direction);
+        if (sample.is_mirror) {
+            sum += sample.scattered.of_environment * light.radiance_nit;
+            continue;
+        }
+        const Scattered f = bsdf.evaluate_specular(sample.direction);
+        sum += f.of_environment * light.radiance_nit * (power_share(f.pdf, light.pdf) / f.pdf);
+    }
+    return sum / static_cast<float>(draws);
 }
 
 std::uint32_t gather_light(const World& world, const Surface& surface, const Vec3& to_eye,

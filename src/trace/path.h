@@ -54,8 +54,16 @@ struct Gathered {
     math::Vec3 diffuse_sky{0.0F};   ///< of the sky at once
     math::Vec3 diffuse_open{0.0F};  ///< what that would be if nothing stood in the way
     math::Vec3 diffuse_rest{0.0F};
-    math::Vec3 specular{0.0F};
+    math::Vec3 specular_sky{0.0F};
+    math::Vec3 specular_open{0.0F};
+    math::Vec3 specular_rest{0.0F};
 };
+/// What the specular lobe would send on of the sky if nothing stood in the way, in nit: the mean of
+/// `draws` numbered draws of sequence (number, seed), without a ray.
+[[nodiscard]] math::Vec3 open_specular(const World& world, const Surface& surface,
+                                       const math::Vec3& to_eye, std::uint32_t number,
+                                       std::uint32_t seed, std::uint32_t draws);
+
 /// Adds one draw to `out`. `cone`: of a pixel at the surface. Returns the number of rays.
 std::uint32_t gather_light(const World& world, const Surface& surface, const math::Vec3& to_eye,
                            Cone cone, Sequence& sequence, Gathered& out,

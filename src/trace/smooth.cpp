@@ -115,6 +115,9 @@ private:
         }
         void add_specular(const GatheredMeans& m, float w) {
             mean.specular += m.specular * w;
+            mean.specular_sky += m.specular_sky * w;
+            mean.specular_open += m.specular_open * w;
+            mean.specular_known += m.specular_known * w;
             mean.specular_variance += m.specular_variance * w * w;
             specular += w;
         }
@@ -127,6 +130,9 @@ private:
             mean.has_diffuse = diffuse > 0.0F ? 1.0F : 0.0F;
             const float s = specular > 0.0F ? 1.0F / specular : 0.0F;
             mean.specular *= s;
+            mean.specular_sky *= s;
+            mean.specular_open *= s;
+            mean.specular_known *= s;
             mean.specular_variance *= s * s;
             mean.has_specular = specular > 0.0F ? 1.0F : 0.0F;
             if (diffuse <= 0.0F) mean.diffuse_variance = own.diffuse_variance;

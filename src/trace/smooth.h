@@ -25,7 +25,10 @@ struct GatheredMeans {
     math::Vec3 sky{0.0F};
     math::Vec3 open{0.0F};
     math::Vec3 rest{0.0F};
-    math::Vec3 specular{0.0F};
+    math::Vec3 specular{0.0F};        ///< all of it
+    math::Vec3 specular_sky{0.0F};    ///< part of it
+    math::Vec3 specular_open{0.0F};   ///< what that part would be if nothing stood in the way
+    math::Vec3 specular_known{0.0F};  ///< the same, from more draws
     float diffuse_variance = 0.0F;
     float specular_variance = 0.0F;
     float has_diffuse = 0.0F;   ///< 0 where nothing is known of that lobe's light: the surface has
