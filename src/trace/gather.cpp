@@ -3,6 +3,7 @@
 #include "trace/gather.h"
 
 #include "math/color.h"
+#include "trace/lobe_weight.h"
 #include "trace/smooth.h"
 
 #include <algorithm>
@@ -15,24 +16,9 @@ using math::Vec4;
 
 /// Places are gathered in squares of this many, which see the same triangles.
 constexpr std::uint32_t tile_places = 16;
-/// A lobe that sends on less than this of the light that it gets tells nothing of that light.
-constexpr float weight_min = 1e-3F;
 constexpr std::uint32_t smooth_passes = 4;
 /// Draws of the open sky at a place: they need no ray.
 constexpr std::uint32_t open_draws = 16;
-
-/// Component by component; 0 where the divisor is too small to tell.
-Vec3 over(const Vec3& a, const Vec3& b) {
-    Vec3 out(0.0F);
-    for (int c = 0; c < 3; ++c) out[c] = b[c] > weight_min ? a[c] / b[c] : 0.0F;
-    return out;
-}
-
-/// A lobe's weight with channels that it hardly has taken from the others.
-Vec3 filled(const Vec3& weight) {
-    const float most = std::max({weight.x, weight.y, weight.z});
-    return glm::max(weight, Vec3(0.02F * most));
-}
 
 struct Mean {
     double sum = 0.0;
@@ -349,63 +335,6 @@ private:
 IndirectPixels gather(const World& world, const Seen& seen, const GatherSettings& settings,
                       base::ThreadPool& pool) {
     return Gatherer(world, seen, settings).run(pool);
-}
-
-namespace {
-
-/// Luminance that a single sample may have at a place: a few times what is mirrored around it, as
-/// the middles of pixels tell. The few paths that find more would show as dots.
-float most_mirrored(const IndirectPixels& middles, std::uint32_t x, std::uint32_t y) {
-    constexpr float times = 4.0F;
-    float most = 0.0F;
-    for (std::uint32_t j = y == 0 ? 0 : y - 1; j <= std::min(y + 1, middles.size.height - 1); ++j)
-        for (std::uint32_t i = x == 0 ? 0 : x - 1; i <= std::min(x + 1, middles.size.width - 1);
-             ++i)
-            most = std::max(
-                most,
-                math::luminance(Vec3(middles.specular[std::size_t{j} * middles.size.width + i])));
-    return times * most;
-}
-
-}  // namespace
-
-SampleLight sample_light(const World& world, const Seen& seen, const IndirectPixels& middles,
-                         const GatherSettings& settings, std::uint32_t frame,
-                         base::ThreadPool& pool) {
-    SampleLight out{std::vector<Vec4>(seen.pixels.size()), std::vector<Vec4>(seen.pixels.size())};
-    for_each_surface(
-        seen, pool, [&](std::uint32_t x, std::uint32_t y, std::size_t at, const SeenPixel& pixel) {
-            const std::uint32_t place_x = x / middles.stride;
-            const std::uint32_t place_y = y / middles.stride;
-            const std::size_t place = std::size_t{place_y} * middles.size.width + place_x;
-            const bool is_intricate = settings.intricate > 0 && middles.intricate[place] != 0;
-            const bool is_smooth = pixel.roughness * pixel.roughness < settings.mirrored_alpha;
-            if (!is_smooth && !is_intricate) return;
-            const Ray ray = seen.ray(x, y);
-            const Surface surface = seen_surface(world.scene, world.frames, pixel, ray);
-            const Bsdf bsdf(world.model, surface, -ray.direction);
-            const std::uint32_t count = is_intricate ? settings.intricate : 1;
-            Gathered light;
-            for (std::uint32_t i = 0; i < count; ++i) {
-                // Another seed than the middles': their sequence begins at 0 too.
-                Sequence sequence(seen.number_of(x, y), frame * count + i, settings.seed + 1);
-                gather_light(world, surface, -ray.direction,
-                             {seen.pixel_width_at(surface.position_m), seen.pixel_spread}, sequence,
-                             light, is_intricate ? Bsdf::Draws::both : Bsdf::Draws::specular);
-            }
-            const float share = 1.0F / static_cast<float>(count);
-            const auto weight = bsdf.environment_weight();
-            Vec3 specular =
-                over((light.specular_sky + light.specular_rest) * share, filled(weight.specular));
-            const float most = most_mirrored(middles, place_x, place_y);
-            if (const float nit = math::luminance(specular); nit > most) specular *= most / nit;
-            out.specular[at] = Vec4(specular, 1.0F);
-            if (is_intricate)
-                out.diffuse[at] = Vec4(
-                    over((light.diffuse_sky + light.diffuse_rest) * share, filled(weight.diffuse)),
-                    1.0F);
-        });
-    return out;
 }
 
 }  // namespace facet::trace
