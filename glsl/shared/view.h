@@ -15,5 +15,8 @@ struct View {
     vec4 pixel;              // x: width at the eye in metres, y: growth per metre; zw: unused
     uvec4 rays;  // x: pixels a slot of light_visibility, y: slots, z: pixels across, w: stride of
                  // the indirect light
+    vec4 lens;   // xy: place on it in metres; z: radius of its barrel's rim, 0: no vignetting; w:
+                 // shift of the rim for each tangent off axis
+    vec4 tangents;   // of the angles to the axis: zw + xy times the pixel from the bottom left
     vec4 key_light;  // xyz: metres where w is 1, else the unit direction to it
 };

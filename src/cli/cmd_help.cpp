@@ -13,7 +13,8 @@ namespace {
 base::Result<Exit> run_help(const std::string& topic, Io& io) {
     if (topic.empty()) {
         io.print(
-            "Topics: lights cameras set aovs brdf-terms studio lessons exit-codes, and every "
+            "Topics: lights cameras set aovs brdf-terms studio lessons more exit-codes, and "
+            "every "
             "command; "
             "facet --help lists "
             "those.");
@@ -41,7 +42,7 @@ void add_help(Declaration& command) {
     auto topic = std::make_shared<std::string>();
     command.flags.push_back(
         {"TOPIC", topic.get(), "", "",
-         "a command, or lights cameras set aovs brdf-terms studio lessons exit-codes"});
+         "a command, or lights cameras set aovs brdf-terms studio lessons more exit-codes"});
     command.job = [topic](Io& io) { return run_help(*topic, io); };
 }
 

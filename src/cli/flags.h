@@ -26,6 +26,7 @@ struct Flag {
     std::string value;  ///< what stands for the value in help; empty for a switch
     std::string group;  ///< heading in help
     std::string help;
+    bool rare = false;  ///< left out of --help
 
     [[nodiscard]] bool is_argument() const { return !names.starts_with('-'); }
     /// The long name, dashes included; the name itself for an argument.

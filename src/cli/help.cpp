@@ -66,10 +66,14 @@ std::string command_help(const NamedCommand& command) {
     for (const std::string_view group : groups) {
         out += fmt::format("{}\n", group);
         for (const Flag& flag : command.declared.flags)
-            if (!flag.is_argument() && flag.group == group) out += line(title_of(flag), flag.help);
+            if (!flag.is_argument() && !flag.rare && flag.group == group)
+                out += line(title_of(flag), flag.help);
     }
     return out +
-           "--json -q -v --color --list WHAT: facet --help; exit codes: facet help exit-codes\n";
+           "--json -q -v --color --list WHAT: facet --help; exit codes: facet help exit-codes" +
+           (std::ranges::any_of(command.declared.flags, &Flag::rare)
+                ? "\n--max-memory, --allow-read, --strict and more: facet help more\n"
+                : "\n");
 }
 
 }  // namespace facet::cli

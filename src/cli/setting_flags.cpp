@@ -36,7 +36,8 @@ void TypedSettings::declare(std::vector<Flag>& flags,
                   .target = &texts[i],
                   .value = std::string(row.value),
                   .group = std::string(row.group),
-                  .help = std::string(row.help)};
+                  .help = std::string(row.help),
+                  .rare = row.rare};
         if (std::holds_alternative<tables::Flag Settings::*>(row.field)) flag.target = &switches[i];
         flags.push_back(std::move(flag));
     }

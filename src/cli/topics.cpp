@@ -10,6 +10,7 @@
 #include "tables/lights.h"
 #include "tables/material.h"
 #include "tables/qualities.h"
+#include "tables/settings_text.h"
 #include "teach/ask.h"
 
 #include <spdlog/fmt/fmt.h>
@@ -77,7 +78,22 @@ std::string cameras() {
            "                    --focus M is what is sharp, --blades N the corners of its blur\n"
            "--shutter S --iso S with the aperture give the exposure, 1 / (1.2 N^2 / S * 100 / "
            "ISO)\n"
-           "--projection        orthographic: as large as the scene's middle was in perspective\n"
+           "--projection        orthographic: as large as the scene's middle was in perspective; "
+           "panorama: all around,\n"
+           "                    latitude by longitude with what is ahead in the middle, as --env "
+           "reads it\n"
+           "--vignette          natural: cos^4 of the angle to the axis; full: and the rim of a "
+           "barrel as wide as f/1.4,\n"
+           "                    which apertures from f/7 on do not touch\n"
+           "--motion-blur       how the camera moves while the shutter is open, around where it "
+           "stands: move=X Y Z\n"
+           "                    (metres to the right, up and back), turn=DEG to the left, "
+           "orbit=DEG around the model;\n"
+           "                    a turntable of 36 with a shutter open half the time is orbit=5\n"
+           "--distortion K      r (1 + K r^2) is where a lens without faults has what shows at "
+           "r, 1 at the corner\n"
+           "--white-balance K   light of this temperature shows white; --gamut p3 or rec2020-pq "
+           "writes a .png that says so\n"
            "facet render a.glb --list cameras  names the cameras of a file\n";
 }
 
@@ -180,6 +196,20 @@ std::string aovs() {
     return out;
 }
 
+std::string more() {
+    std::string out =
+        "Example: facet render a.glb --allow-read ../textures --max-memory 2048 --strict\n\n"
+        "Limits on what a scene may take and read, and what else is seldom wanted. Each may stand "
+        "in the environment too:\nFACET_MAX_MEMORY=2048.\n\n";
+    for (const auto& row : tables::settings)
+        if (row.rare)
+            out += fmt::format("  {:<24} {}\n",
+                               tables::flag_name(row.key) + (row.value.empty() ? "" : " ") +
+                                   std::string(row.value),
+                               row.help);
+    return out;
+}
+
 std::string exit_codes() {
     std::string out = "Example: facet render a.glb || echo \"ended with $?\"\n\n";
     for (const auto& row : tables::exit_codes)
@@ -233,9 +263,9 @@ struct Topic {
     std::string (*text)();
 };
 constexpr Topic topics[] = {
-    {"lights", lights},   {"cameras", cameras},      {"quality", quality}, {"jobs", jobs},
-    {"set", set},         {"studio", studio},        {"lessons", lessons}, {"aovs", aovs},
-    {"brdf-terms", brdf}, {"exit-codes", exit_codes}};
+    {"lights", lights},   {"cameras", cameras}, {"quality", quality},      {"jobs", jobs},
+    {"set", set},         {"studio", studio},   {"lessons", lessons},      {"aovs", aovs},
+    {"brdf-terms", brdf}, {"more", more},       {"exit-codes", exit_codes}};
 
 }  // namespace
 

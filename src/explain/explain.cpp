@@ -34,6 +34,12 @@ base::Status check(const render::Request& request, const render::Plan& plan,
                            .file = "--aov",
                            .what = "explain writes no pictures",
                            .found = base::join(request.settings.aov, ",")});
+    if (plan.is_resampled)
+        return base::fail({.code = ErrorCode::feature_missing,
+                           .file = plan.is_panorama ? "--projection" : "--distortion",
+                           .what = "explain is of flat views",
+                           .found = request.settings.projection,
+                           .remedy = "leave it out"});
     const frame::Region& r = plan.region;
     for (const PixelRequest& pixel : pixels)
         if (pixel.x < r.x || pixel.y < r.y || pixel.x - r.x >= r.size.width ||
@@ -119,6 +125,7 @@ Composite composed(const ExplainedPixel& sample) {
         out.radiance = shown_by(layer) * opacity + out.radiance * (1.0 - opacity);
         out.alpha = opacity + out.alpha * (1.0 - opacity);
     }
+    out.radiance *= static_cast<double>(sample.vignetting);
     return out;
 }
 
@@ -150,6 +157,8 @@ base::Result<Explained> explain(const render::Request& request,
     Explained out{.picture = plan->picture,
                   .is_exposure_automatic = !plan->exposure,
                   .tonemap = request.settings.tonemap,
+                  .gamut = request.settings.gamut,
+                  .white_balance_k = plan->white_balance_k,
                   .bits = plan->display_sample == image::Sample::u16 ? 16U : 8U,
                   .brdf = plan->brdf,
                   .scene = session->scene(),

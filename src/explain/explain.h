@@ -8,6 +8,7 @@
 #include "tables/brdf_terms.h"
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -51,6 +52,8 @@ struct Explained {
     double exposure = 1.0;
     bool is_exposure_automatic = false;
     std::string tonemap;
+    std::string gamut;
+    std::optional<float> white_balance_k;
     std::uint32_t bits = 8;
     tables::BrdfChoice brdf;
     scene::Scene scene;  ///< materials, lights and textures by name

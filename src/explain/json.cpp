@@ -82,7 +82,8 @@ Json json(const scene::Scene& scene, const frame::ExplainedPoint& point) {
 }
 
 Json json(const scene::Scene& scene, const frame::ExplainedPixel& sample) {
-    Json out{{"offset_px", Json::array({sample.jitter_px.x, sample.jitter_px.y})}};
+    Json out{{"offset_px", Json::array({sample.jitter_px.x, sample.jitter_px.y})},
+             {"vignetting", sample.vignetting}};
     Json layers = Json::array();
     for (const frame::ExplainedPoint& layer : sample.blended) layers.push_back(json(scene, layer));
     if (sample.opaque) out["surface"] = json(scene, *sample.opaque);
@@ -119,7 +120,10 @@ Json json_of(const Explained& explained, const Pixel& pixel) {
             {"alpha", pixel.alpha},
             {"exposure", explained.exposure},
             {"exposed", json(pixel.sum * explained.exposure)},
+            {"white_balance_k",
+             explained.white_balance_k ? Json(*explained.white_balance_k) : Json(nullptr)},
             {"tonemap", explained.tonemap},
+            {"gamut", explained.gamut},
             {"bits", explained.bits},
             {"code", code},
             {"shown_sample", pixel.shown},

@@ -74,6 +74,9 @@ public:
             node.add(t("opacity"), number(static_cast<double>(layer.surface.base_color.w)));
             tell_point(layer, node);
         }
+        if (sample.vignetting < 1.0F)
+            root.add(t("vignetting"),
+                     fmt::format("× {}", number(static_cast<double>(sample.vignetting))));
         if (pixel.samples.size() > 1) tell_samples(pixel, root);
         Node& sum = root.add(t("sum"), numbers(pixel.sum) + " nit");
         if (pixel.alpha < 1.0) sum.add(t("coverage"), number(pixel.alpha));
@@ -81,14 +84,19 @@ public:
                  fmt::format("× {}{} = {}", number(explained_.exposure),
                              explained_.is_exposure_automatic ? " (" + t("automatic") + ")" : "",
                              numbers(pixel.sum * explained_.exposure)));
+        if (explained_.white_balance_k)
+            root.add(t("white_balance"), fmt::format("{} K", *explained_.white_balance_k));
         std::string code;
         for (std::size_t c = 0; c < (pixel.alpha < 1.0 ? 4U : 3U); ++c)
             code += (c == 0 ? "" : " ") + fmt::format("{}", pixel.code[c]);
-        root.add(t("tonemap"),
-                 fmt::format("{}, sRGB, {} bit: {}", explained_.tonemap, explained_.bits, code));
+        root.add(t("tonemap"), fmt::format("{}, {}, {} bit: {}", explained_.tonemap, shown_gamut(),
+                                           explained_.bits, code));
     }
 
 private:
+    [[nodiscard]] std::string shown_gamut() const {
+        return explained_.gamut == "srgb" ? "sRGB" : explained_.gamut;
+    }
     [[nodiscard]] std::string t(const char* key) const {
         return texts_(fmt::format("explain.{}", key));
     }

@@ -234,7 +234,8 @@ base::Status Frame::draw(const gl::Context& gl, const FrameInputs& in, std::uint
     if (auto s = draw_light(gl, in, {view, index}, order); !s) return s;
     clock.add_to(&passes.lighting);
     if (auto s = add_aovs(gl, in, index); !s) return s;
-    if (count > 1) {
+    has_sum_ = count > 1 || in.camera.barrel.rim_m > 0.0F;
+    if (has_sum_) {
         if (!accumulator_) {
             auto made = Accumulator::create(gl, size());
             if (!made) return tl::unexpected(made.error());
@@ -277,17 +278,15 @@ base::Status Frame::draw_centered_aovs(const gl::Context& gl, const FrameInputs&
     return gl.check("aovs");
 }
 
-const gl::Framebuffer& Frame::sum_framebuffer(std::uint32_t count) const {
-    return count > 1 ? accumulator_->framebuffer : radiance_.framebuffer;
+const gl::Framebuffer& Frame::sum_framebuffer() const {
+    return has_sum_ ? accumulator_->framebuffer : radiance_.framebuffer;
 }
-const gl::Texture& Frame::sum_texture(std::uint32_t count) const {
-    return count > 1 ? accumulator_->sum : radiance_.colors.front();
+const gl::Texture& Frame::sum_texture() const {
+    return has_sum_ ? accumulator_->sum : radiance_.colors.front();
 }
 
 base::Status Frame::display(const gl::Context& gl, const DisplaySettings& settings) {
-    if (auto s = display_pass_.run(gl, sum_texture(settings.frame_count), size(), settings, empty_);
-        !s)
-        return s;
+    if (auto s = display_pass_.run(gl, sum_texture(), size(), settings, empty_); !s) return s;
     return gl.check("display");
 }
 

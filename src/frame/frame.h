@@ -83,10 +83,10 @@ public:
 
     /// The sum of the frames drawn: RGBA f32, rows from the bottom; and its window depth of the
     /// last frame.
-    [[nodiscard]] const gl::Framebuffer& sum_framebuffer(std::uint32_t count) const;
+    [[nodiscard]] const gl::Framebuffer& sum_framebuffer() const;
     /// The last frame alone, likewise.
     [[nodiscard]] const gl::Framebuffer& frame_framebuffer() const { return radiance_.framebuffer; }
-    [[nodiscard]] const gl::Texture& sum_texture(std::uint32_t count) const;
+    [[nodiscard]] const gl::Texture& sum_texture() const;
     [[nodiscard]] const gl::Framebuffer& depth_framebuffer() const { return gbuffer_.framebuffer; }
     /// Encodes the frames drawn for a screen, on the GL; read_display() fetches it.
     [[nodiscard]] base::Status display(const gl::Context& gl, const DisplaySettings& settings);
@@ -161,6 +161,7 @@ private:
     GBuffer gbuffer_;
     RadianceTarget radiance_;
     std::optional<Accumulator> accumulator_;
+    bool has_sum_ = false;  ///< the frames drawn are in it; else the only one is not weighed
     std::vector<AovTarget> aov_targets_;
     std::optional<LightPathTarget> light_paths_;  ///< where AOVs ask for one
     LightBuffers light_buffers_;

@@ -4,6 +4,7 @@
 
 #include "scene/camera_spec.h"
 #include "scene/lens.h"
+#include "scene/motion.h"
 
 namespace facet::frame {
 namespace {
@@ -32,10 +33,24 @@ float radical_inverse(std::uint32_t x, std::uint32_t base = 2) {
     return result;
 }
 
+/// What vignetting is worked out from.
+void set_lens(const scene::Camera& camera, math::Extent picture, const Region& region,
+              math::Vec2 lens_m, shared::View& view) {
+    if (camera.barrel.rim_m <= 0.0F) return;
+    view.lens = {lens_m, camera.barrel.rim_m, camera.barrel.shift_m};
+    const math::Mat4 clip = scene::clip_from_view(camera, picture, math::Vec2(0.0F));
+    const math::Vec2 per_px(2.0F / (static_cast<float>(picture.width) * clip[0][0]),
+                            2.0F / (static_cast<float>(picture.height) * clip[1][1]));
+    const math::Vec2 corner(region.x, picture.height - region.y - region.size.height);
+    const math::Vec2 off = (corner - math::Vec2(picture.width, picture.height) * 0.5F) * per_px;
+    view.tangents = {per_px, off};
+}
+
 }  // namespace
 
 shared::View view_block(const scene::Camera& camera, math::Extent picture, const Region& region,
-                        math::Vec2 jitter_px, math::Vec2 lens_m) {
+                        math::Vec2 jitter_px, math::Vec2 lens_m, const scene::Camera* moved) {
+    const scene::Camera& eye = moved == nullptr ? camera : *moved;
     const math::Mat4 clip_from_view =
         region_from_picture(picture, region) * scene::clip_from_view(camera, picture, jitter_px);
     shared::View view{};
@@ -47,18 +62,19 @@ shared::View view_block(const scene::Camera& camera, math::Extent picture, const
     math::Mat4 from_lens(1.0F);
     from_lens[2] = {-lens_m / camera.focus_m, 1.0F, 0.0F};
     from_lens[3] = {-lens_m, 0.0F, 1.0F};
-    view.clip_from_world = clip_from_view * from_lens * scene::view_from_world(camera);
+    view.clip_from_world = clip_from_view * from_lens * scene::view_from_world(eye);
     view.middle_from_world = region_from_picture(picture, region) *
                              scene::clip_from_view(camera, picture, math::Vec2(0.0F)) *
                              scene::view_from_world(camera);
     view.world_from_clip = math::inverse(view.clip_from_world);
-    const math::Mat4& world_from_view = camera.world_from_view;
+    const math::Mat4& world_from_view = eye.world_from_view;
     view.eye_m = math::Vec4(math::Vec3(world_from_view * math::Vec4(lens_m, 0.0F, 1.0F)),
                             is_perspective ? 1.0F : 0.0F);
     view.forward = math::Vec4(-math::normalize(math::Vec3(world_from_view[2])), 0.0F);
     const auto width = static_cast<float>(region.size.width);
     const auto height = static_cast<float>(region.size.height);
     view.size_px = {width, height, 1.0F / width, 1.0F / height};
+    set_lens(camera, picture, region, lens_m, view);
     return view;
 }
 
@@ -68,7 +84,27 @@ shared::View sample_view(const scene::Camera& camera, math::Extent picture, cons
     if (camera.lens_radius_m > 0.0F)
         lens_m =
             scene::place_on_lens(camera, {radical_inverse(index, 3), radical_inverse(index, 5)});
-    return view_block(camera, picture, region, jitter_px(index, count), lens_m);
+    if (!scene::moves(camera))
+        return view_block(camera, picture, region, jitter_px(index, count), lens_m);
+    const scene::Camera moved = scene::camera_at(camera, sample_time(index, count));
+    return view_block(camera, picture, region, jitter_px(index, count), lens_m, &moved);
+}
+
+float vignetting(const shared::View& view, std::uint32_t x, std::uint32_t y) {
+    const math::Vec2 at(static_cast<float>(x) + 0.5F,
+                        view.size_px.y - static_cast<float>(y) - 0.5F);
+    const math::Vec2 tangent = math::Vec2(view.tangents.z, view.tangents.w) +
+                               math::Vec2(view.tangents.x, view.tangents.y) * at;
+    return scene::vignetting({view.lens.z, view.lens.w}, tangent, {view.lens.x, view.lens.y});
+}
+
+float sample_time(std::uint32_t index, std::uint32_t count) {
+    // A lattice's second dimension (Korobov 1959), so that neither the places in the pixel nor
+    // those on the lens go with time: the odd number nearest to the golden section of the count has
+    // no factor in common with powers of two.
+    const auto golden = static_cast<std::uint64_t>(0.6180339887 * count) | 1U;
+    const std::uint64_t place = count < 2 ? 0 : index * golden % count;
+    return (static_cast<float>(place) + 0.5F) / static_cast<float>(count);
 }
 
 math::Vec2 jitter_px(std::uint32_t index, std::uint32_t count) {

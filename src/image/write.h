@@ -5,6 +5,7 @@
 #include "base/file.h"
 #include "base/result.h"
 #include "image/read.h"
+#include "tables/gamuts.h"
 #include "tables/image_formats.h"
 
 #include <string>
@@ -19,11 +20,13 @@ struct WriteOptions {
     tables::ImageFormat format = tables::ImageFormat::png;
     Depth depth = Depth::u8;  ///< must be one the format has (tables::image_formats)
     std::vector<std::pair<std::string, std::string>> metadata;  ///< PNG text, EXR string attributes
-    bool fast = false;                                          ///< prefer encoding speed to size
+    tables::Gamut gamut = tables::Gamut::srgb;  ///< of the values (PNG alone has others than sRGB)
+    bool fast = false;                          ///< prefer encoding speed to size
 };
 
 /// One picture: PNG, JPEG, WebP, TIFF of a u8 or u16 image (sRGB-encoded, straight alpha; JPEG
-/// drops alpha over black), HDR of an f32 image (linear RGB). PNG carries an sRGB chunk.
+/// drops alpha over black), HDR of an f32 image (linear RGB). PNG says which
+/// colours they are: sRGB, or cICP.
 /// Deterministic bytes.
 [[nodiscard]] base::Result<base::Bytes> encode(const Image& image, const WriteOptions& options);
 

@@ -62,6 +62,30 @@ void stored_row(const Image& image, std::size_t y, std::span<Byte> row) {
         for (std::size_t i = 0; i < row.size(); i += 2) std::swap(row[i], row[i + 1]);
 }
 
+/// Which colours the values are. cICP (W3C 2025, "Portable Network Graphics (Third
+/// Edition)", 11.3.2.6) is what new readers know; cHRM and gAMA tell older ones of Display P3,
+/// nothing tells them of PQ.
+void append_colors(base::Bytes& out, tables::Gamut gamut) {
+    if (gamut == tables::Gamut::srgb) {
+        append_chunk(out, "sRGB", std::array<std::byte, 1>{});  // 0: perceptual intent
+        return;
+    }
+    const tables::GamutRow& row = tables::row(gamut);
+    base::Bytes body;
+    for (const Byte byte : {row.primaries, row.transfer, Byte{0}, Byte{1}})  // RGB, full range
+        body.push_back(static_cast<std::byte>(byte));
+    append_chunk(out, "cICP", body);
+    if (gamut != tables::Gamut::p3) return;
+    body.clear();
+    for (const std::uint32_t value :  // white, red, green, blue: x and y times 100,000
+         {31270U, 32900U, 68000U, 32000U, 26500U, 69000U, 15000U, 6000U})
+        append_big32(body, value);
+    append_chunk(out, "cHRM", body);
+    body.clear();
+    append_big32(body, 45455);  // of sRGB's curve: 1 / 2.2 times 100,000
+    append_chunk(out, "gAMA", body);
+}
+
 Byte paeth(int a, int b, int c) {
     const int to_a = std::abs(b - c);
     const int to_b = std::abs(a - c);
@@ -170,7 +194,7 @@ base::Result<base::Bytes> write(std::span<const Layer> layers, const WriteOption
     out.reserve(idat.size() + 1024);
     append(out, "\x89PNG\r\n\x1A\n"sv);
     append_chunk(out, "IHDR", ihdr(*image));
-    append_chunk(out, "sRGB", std::array<std::byte, 1>{});  // 0: perceptual intent
+    append_colors(out, options.gamut);
     for (const auto& entry : options.metadata) append_text(out, entry);
     for (std::size_t at = 0; at < idat.size(); at += piece_bytes)
         append_chunk(out, "IDAT",

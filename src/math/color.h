@@ -32,4 +32,12 @@ namespace facet::math {
 [[nodiscard]] Vec3 rec709_from_xyz(const Vec3& xyz);
 [[nodiscard]] Vec3 xyz_from_rec709(const Vec3& linear);
 
+/// Linear Rec.709 to other primaries with the same white: Display P3 (SMPTE EG 432-1 with D65),
+/// Rec.2020 (ITU-R BT.2020-2, Table 2).
+[[nodiscard]] Mat3 p3_from_rec709();
+[[nodiscard]] Mat3 rec2020_from_rec709();
+/// Linear Rec.709 as seen by eyes used to light of colour `white`, linear Rec.709 itself: it
+/// becomes grey of the same luminance. Von Kries in Bradford's space (Lam 1985; CIE 159:2004).
+[[nodiscard]] Mat3 adapted_from(const Vec3& white);
+
 }  // namespace facet::math

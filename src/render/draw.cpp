@@ -3,11 +3,14 @@
 #include "render/draw.h"
 
 #include "render/reference.h"
+#include "render/resample.h"
 #include "render/session.h"
 
 #include <spdlog/fmt/fmt.h>
 
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace facet::render {
 namespace {
@@ -30,33 +33,62 @@ void clean(std::vector<image::Layer>& layers, base::Warnings& warnings) {
     }
 }
 
-/// Radiance as a layer, or encoded for a screen.
-base::Status deliver(Session& session, bool want_linear, image::Image radiance, Rendered& out) {
-    if (!want_linear) {
-        if (auto shown = session.display_picture(radiance, out.exposure); !shown) return shown;
-        out.display = session.read_display();
-        return {};
-    }
-    session.lay_over_background(radiance, out.exposure);
-    out.layers.push_back(
-        {.name = "", .channels = {"R", "G", "B", "A"}, .image = std::move(radiance)});
-    return {};
+/// Radiance of a picture of itself as a layer, over the background colour where one is named.
+image::Layer beauty_of(const Session& session, image::Image radiance, double exposure) {
+    session.lay_over_background(radiance, exposure);
+    return {.name = "", .channels = {"R", "G", "B", "A"}, .image = std::move(radiance)};
 }
 
+/// The rasteriser's picture: in the session's frame, or resampled from flat views.
+class RasterPicture {
+public:
+    RasterPicture(Session& session, const Plan& plan) : session_(session), plan_(plan) {}
+
+    /// Sets the exposure of `out` where it is automatic.
+    [[nodiscard]] base::Status draw(base::ThreadPool& pool, Rendered& out) {
+        if (plan_.is_resampled) {
+            auto drawn = draw_resampled(session_, pool);
+            if (!drawn) return tl::unexpected(drawn.error());
+            out.exposure = drawn->exposure;
+            resampled_ = std::move(drawn->radiance);
+            return {};
+        }
+        for (std::uint32_t i = 0; i < plan_.sample_count; ++i)
+            if (auto drawn = session_.draw(i, plan_.sample_count); !drawn) return drawn;
+        if (!plan_.exposure) out.exposure = session_.measure_exposure(plan_.sample_count);
+        return {};
+    }
+    [[nodiscard]] base::Result<image::Image> display(double exposure) const {
+        auto shown = resampled_ ? session_.display_picture(*resampled_, exposure)
+                                : session_.display(exposure, plan_.sample_count);
+        if (!shown) return tl::unexpected(shown.error());
+        return session_.read_display();
+    }
+    [[nodiscard]] image::Layer beauty(double exposure) const {
+        return resampled_ ? beauty_of(session_, *resampled_, exposure)
+                          : beauty_of(session_, session_.read_mean(plan_.sample_count), exposure);
+    }
+
+private:
+    Session& session_;
+    const Plan& plan_;
+    std::optional<image::Image> resampled_;
+};
+
 /// The rasteriser's picture beside the reference that `out` holds already.
-base::Status add_comparison(Session& session, const Request& request, const Plan& plan,
+base::Status add_comparison(const RasterPicture& raster, const Request& request, const Plan& plan,
                             Rendered& out) {
-    const std::uint32_t count = plan.sample_count;
     if (!request.want_linear) {
-        if (auto shown = session.display(out.exposure, count); !shown) return shown;
-        auto panels = compare_displayed(session.read_display(), out.display, plan, out);
+        const auto shown = raster.display(out.exposure);
+        if (!shown) return tl::unexpected(shown.error());
+        auto panels = compare_displayed(*shown, out.display, plan, out);
         if (!panels) return tl::unexpected(panels.error());
         out.display = std::move(*panels);
         out.size = out.display.size;
         return {};
     }
     image::Layer reference = std::move(out.layers.front());
-    out.layers.front() = session.read_beauty(out.exposure, count);
+    out.layers.front() = raster.beauty(out.exposure);
     image::Layer difference = out.layers.front();
     difference.name = "difference";
     reference.name = "reference";
@@ -71,37 +103,39 @@ base::Status add_comparison(Session& session, const Request& request, const Plan
 base::Status draw_reference(Session& session, const Request& request, const Plan& plan,
                             const DrawTools& tools, Rendered& out) {
     // The rasteriser measures the exposure of both, so that they can be laid side by side.
-    const std::uint32_t count = plan.sample_count;
+    RasterPicture raster(session, plan);
     if (!plan.exposure || request.settings.compare)
-        for (std::uint32_t i = 0; i < count; ++i)
-            if (auto drawn = session.draw(i, count); !drawn) return drawn;
-    if (!plan.exposure) out.exposure = session.measure_exposure(count);
+        if (auto drawn = raster.draw(tools.pool, out); !drawn) return drawn;
     auto reference =
         trace_reference(session, request, plan, out.exposure, tools.pool, tools.progress, out);
     if (!reference) return tl::unexpected(reference.error());
     session.lay_over_background(reference->aovs, reference->radiance, out.exposure);
-    if (auto s = deliver(session, request.want_linear, std::move(reference->radiance), out); !s)
-        return s;
+    if (request.want_linear) {
+        out.layers.push_back(beauty_of(session, std::move(reference->radiance), out.exposure));
+    } else {
+        if (auto s = session.display_picture(reference->radiance, out.exposure); !s) return s;
+        out.display = session.read_display();
+    }
     if (request.settings.compare)
-        if (auto s = add_comparison(session, request, plan, out); !s) return s;
+        if (auto s = add_comparison(raster, request, plan, out); !s) return s;
     for (image::Layer& layer : reference->aovs) out.layers.push_back(std::move(layer));
     return {};
 }
 
 base::Status draw_raster(Session& session, const Request& request, const Plan& plan,
-                         Rendered& out) {
-    const std::uint32_t count = plan.sample_count;
-    for (std::uint32_t i = 0; i < count; ++i)
-        if (auto drawn = session.draw(i, count); !drawn) return drawn;
-    if (!plan.exposure) out.exposure = session.measure_exposure(count);
+                         const DrawTools& tools, Rendered& out) {
+    RasterPicture raster(session, plan);
+    if (auto drawn = raster.draw(tools.pool, out); !drawn) return drawn;
     if (request.want_linear) {
-        out.layers.push_back(session.read_beauty(out.exposure, count));
+        out.layers.push_back(raster.beauty(out.exposure));
     } else {
-        if (auto shown = session.display(out.exposure, count); !shown) return shown;
-        out.display = session.read_display();
+        auto shown = raster.display(out.exposure);
+        if (!shown) return tl::unexpected(shown.error());
+        out.display = std::move(*shown);
     }
+    if (plan.aovs.empty()) return {};
     if (auto drawn = session.draw_centered_aovs(); !drawn) return drawn;
-    for (image::Layer& layer : session.read_aovs(out.exposure, count))
+    for (image::Layer& layer : session.read_aovs(out.exposure, plan.sample_count))
         out.layers.push_back(std::move(layer));
     return {};
 }
@@ -113,7 +147,7 @@ base::Status draw(Session& session, const Request& request, const Plan& plan,
     if (plan.exposure) out.exposure = *plan.exposure;
     session.begin_picture();
     auto drawn = plan.reference ? draw_reference(session, request, plan, tools, out)
-                                : draw_raster(session, request, plan, out);
+                                : draw_raster(session, request, plan, tools, out);
     if (drawn && !request.settings.keep_nan) clean(out.layers, out.warnings);
     return drawn;
 }

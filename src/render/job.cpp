@@ -8,6 +8,7 @@
 #include "scene/light_spec.h"
 #include "scene/load.h"
 #include "scene/material_file.h"
+#include "scene/motion.h"
 #include "scene/set_path.h"
 
 #include <utility>
@@ -59,6 +60,39 @@ base::Status edit(const tables::Settings& settings, const Plan& plan, scene::Sce
     return {};
 }
 
+/// What the settings say of the lens, and of the camera's motion.
+base::Status set_lens(const tables::Settings& settings, const scene::Scene& scene,
+                      scene::Camera& camera) {
+    const bool is_orthographic = camera.projection == scene::Projection::orthographic;
+    for (const auto& [option, given] : {std::pair{"--aperture", settings.aperture.has_value()},
+                                        std::pair{"--vignette", settings.vignette != "off"},
+                                        std::pair{"--distortion", settings.distortion != 0.0F},
+                                        std::pair{"--aberration", settings.aberration != 0.0F}})
+        if (given && is_orthographic)
+            return base::fail({.code = base::ErrorCode::usage,
+                               .file = option,
+                               .what = "an orthographic view has no lens",
+                               .remedy = "leave it out, or --projection perspective"});
+    const float middle_m = scene::middle_depth_m(camera, scene);
+    if (settings.aperture) {
+        camera.lens_radius_m = scene::lens_radius_m(camera.yfov_rad, *settings.aperture);
+        camera.focus_m = settings.focus.value_or(middle_m);
+        camera.blades = settings.blades;
+    }
+    if (settings.vignette != "off")
+        camera.barrel = settings.vignette == "full"
+                            ? scene::tight_barrel(camera.yfov_rad, settings.size)
+                            : scene::wide_barrel();
+    camera.distortion = settings.distortion;
+    camera.aberration = settings.aberration;
+    if (settings.motion_blur.empty()) return {};
+    const math::Vec3 pivot_m(camera.world_from_view * math::Vec4(0.0F, 0.0F, -middle_m, 1.0F));
+    const auto motion = scene::parse_motion(settings.motion_blur, pivot_m);
+    if (!motion) return tl::unexpected(base::in_file(motion.error(), "--motion-blur"));
+    camera.motion = *motion;
+    return {};
+}
+
 }  // namespace
 
 scene::LoadOptions load_options(const tables::Settings& settings) {
@@ -106,17 +140,7 @@ base::Status aim_camera(const tables::Settings& settings, Job& job) {
     if (!camera) return tl::unexpected(base::in_file(camera.error(), "--camera"));
     if (!settings.projection.empty())
         scene::set_projection(*camera, job.scene, settings.projection);
-    if (settings.aperture) {
-        if (camera->projection != scene::Projection::perspective)
-            return base::fail({.code = base::ErrorCode::usage,
-                               .file = "--aperture",
-                               .what = "an orthographic view has no lens",
-                               .remedy = "leave it out, or --projection perspective"});
-        camera->lens_radius_m = scene::lens_radius_m(camera->yfov_rad, *settings.aperture);
-        camera->focus_m =
-            settings.focus ? *settings.focus : scene::middle_depth_m(*camera, job.scene);
-        camera->blades = settings.blades;
-    }
+    if (auto lens = set_lens(settings, job.scene, *camera); !lens) return lens;
     job.camera = std::move(*camera);
     return {};
 }

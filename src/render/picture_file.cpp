@@ -52,6 +52,29 @@ base::Result<image::Depth> depth_for(const tables::ImageFormatRow& row, const st
     return name == "half" ? image::Depth::half : image::Depth::f32;
 }
 
+tables::Gamut gamut_of(const tables::Settings& settings) {
+    const auto* const row =
+        std::ranges::find(tables::gamuts, std::string_view(settings.gamut), &tables::GamutRow::key);
+    return row == tables::gamuts.end() ? tables::Gamut::srgb
+                                       : static_cast<tables::Gamut>(row - tables::gamuts.begin());
+}
+
+/// PNG can say that its colours are others than sRGB's, and only PQ needs its 16 bits.
+base::Status check_gamut(const tables::Settings& settings, PictureFile& file) {
+    const tables::Gamut gamut = gamut_of(settings);
+    if (gamut == tables::Gamut::srgb) return {};
+    if (file.format != ImageFormat::png)
+        return base::fail({.code = base::ErrorCode::usage,
+                           .file = "--gamut",
+                           .what = file.holds_radiance()
+                                       ? "the file holds radiance, in Rec.709"
+                                       : "the format cannot say which colours it holds",
+                           .found = file.path.string(),
+                           .remedy = "a .png"});
+    if (gamut == tables::Gamut::rec2020_pq) file.depth = image::Depth::u16;
+    return {};
+}
+
 bool has_side_files(const tables::ImageFormatRow& row, const tables::Settings& settings) {
     return !row.layers || !settings.aov_format.empty();
 }
@@ -127,7 +150,9 @@ base::Result<PictureFile> plan_file(const tables::Settings& settings, const fs::
                            .what = fmt::format("{} holds one picture", row.key),
                            .found = output.string(),
                            .remedy = "an .exr holds all three, a .png lays them side by side"});
-    return PictureFile{output, *format, *depth};
+    PictureFile file{output, *format, *depth};
+    if (auto fits = check_gamut(settings, file); !fits) return tl::unexpected(fits.error());
+    return file;
 }
 
 base::Result<Written> write_picture(const PictureFile& file, const Request& request,
@@ -140,6 +165,7 @@ base::Result<Written> write_picture(const PictureFile& file, const Request& requ
         .depth = file.depth,
         .metadata = {{"Software", "Facet"},
                      {"facet.exposure", fmt::format("{}", rendered.exposure)}},
+        .gamut = gamut_of(request.settings),
         .fast = request.settings.quality == "draft"};
     if (rendered.reference) {
         options.metadata.emplace_back("facet.reference", request.settings.reference);

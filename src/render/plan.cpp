@@ -5,7 +5,7 @@
 #include "base/text.h"
 #include "brdf/choice.h"
 #include "math/color.h"
-#include "scene/lens.h"
+#include "render/plan_parts.h"
 
 #include <spdlog/fmt/fmt.h>
 
@@ -23,30 +23,6 @@ using base::Result;
 
 /// Larger pictures want --region, or a poster printer.
 constexpr std::uint32_t max_side_px = 16384;
-
-tl::unexpected<base::Error> usage(std::string option, std::string what, std::string found,
-                                  std::string remedy) {
-    return base::fail({.code = ErrorCode::usage,
-                       .file = std::move(option),
-                       .what = std::move(what),
-                       .found = std::move(found),
-                       .remedy = std::move(remedy)});
-}
-
-/// Index of `text` among `names`.
-Result<std::size_t> choose(const char* option, std::string_view text,
-                           std::span<const std::string> names) {
-    for (std::size_t i = 0; i < names.size(); ++i)
-        if (names[i] == text) return i;
-    return usage(option, "no such value", std::string(text), base::suggestion(text, names));
-}
-
-template <class Rows>
-std::vector<std::string> keys(const Rows& rows) {
-    std::vector<std::string> names;
-    for (const auto& row : rows) names.emplace_back(row.key);
-    return names;
-}
 
 std::optional<math::Vec3> parse_hex_color(std::string_view text) {
     if (text.size() != 7 || text[0] != '#') return std::nullopt;
@@ -120,21 +96,6 @@ base::Status plan_shadows(const tables::Settings& settings, Plan& plan) {
     return {};
 }
 
-base::Status plan_camera(const tables::Settings& settings, Plan& plan) {
-    const std::array<std::string, 2> names = {"perspective", "orthographic"};
-    if (!settings.projection.empty())
-        if (const auto one = choose("--projection", settings.projection, names); !one)
-            return tl::unexpected(one.error());
-    // A lens is looked through at one place a frame: a few would show as a few pictures.
-    constexpr std::uint32_t lens_frames = 4;
-    if (settings.aperture && settings.samples == 0) plan.sample_count *= lens_frames;
-    for (const auto& [option, given] : {std::pair{"--blades", settings.blades > 0},
-                                        std::pair{"--focus", settings.focus.has_value()}})
-        if (given && !settings.aperture)
-            return usage(option, "needs an aperture", "", "add --aperture N, for example 2.8");
-    return {};
-}
-
 base::Status plan_background(const tables::Settings& settings, Plan& plan) {
     const std::string& text = settings.background;
     plan.background = {};
@@ -157,37 +118,6 @@ base::Status plan_background(const tables::Settings& settings, Plan& plan) {
     }
     return usage("--background", "not a background", text,
                  "env, none, #rrggbb, or blur:X with X in 0..1");
-}
-
-base::Status plan_exposure(const tables::Settings& settings, Plan& plan) {
-    const auto names = keys(tables::tonemaps);
-    const auto tonemap = choose("--tonemap", settings.tonemap, names);
-    if (!tonemap) return tl::unexpected(tonemap.error());
-    plan.tonemap = static_cast<tables::Tonemap>(*tonemap);
-    if (settings.ev && settings.exposure != "auto")
-        return usage("--ev", "cannot be given together with --exposure", "",
-                     "leave one of them out");
-    if (settings.shutter) {
-        if (!settings.aperture)
-            return usage("--shutter", "needs an aperture", "", "add --aperture N, for example 8");
-        if (settings.ev || settings.exposure != "auto")
-            return usage("--shutter", "cannot be given together with --ev or --exposure", "",
-                         "leave one of them out");
-        const double ev = scene::exposure_value(static_cast<double>(*settings.aperture),
-                                                static_cast<double>(*settings.shutter),
-                                                static_cast<double>(settings.iso));
-        plan.exposure = 1.0 / (1.2 * std::exp2(ev));
-        return {};
-    }
-    // ISO 12232 with q = 0.65: the saturation luminance of EV 0 is 1.2 nit.
-    if (settings.ev) plan.exposure = 1.0 / (1.2 * std::exp2(static_cast<double>(*settings.ev)));
-    if (settings.exposure == "auto") return {};
-    const auto factor = base::parse_number(settings.exposure);
-    if (!factor || *factor <= 0.0 || *factor > 1e12)
-        return usage("--exposure", "not a factor above 0 or auto", settings.exposure,
-                     "for example 1");
-    plan.exposure = *factor;
-    return {};
 }
 
 base::Status plan_aovs(const tables::Settings& settings, Plan& plan) {
@@ -286,8 +216,9 @@ base::Status check_memory(const tables::Settings& settings, Plan& plan) {
 
 Result<Plan> make_plan(const tables::Settings& settings) {
     Plan plan;
-    for (const auto step : {plan_size, plan_quality, plan_shadows, plan_camera, plan_background,
-                            plan_exposure, plan_aovs, plan_reference, plan_machine, check_memory})
+    for (const auto step :
+         {plan_size, plan_quality, plan_shadows, plan_camera, plan_background, plan_exposure,
+          plan_gamut, plan_aovs, plan_reference, plan_resampling, plan_machine, check_memory})
         if (auto status = step(settings, plan); !status) return tl::unexpected(status.error());
     auto brdf = brdf::parse_choice(settings.brdf, brdf::Use::render);
     if (!brdf) return tl::unexpected(base::in_file(brdf.error(), "--brdf"));

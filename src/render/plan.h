@@ -10,6 +10,7 @@
 #include "image/image.h"
 #include "tables/aovs.h"
 #include "tables/brdf_terms.h"
+#include "tables/gamuts.h"
 #include "tables/qualities.h"
 #include "tables/settings.h"
 #include "tables/tonemaps.h"
@@ -35,6 +36,10 @@ struct Plan {
     frame::Background background;
     std::optional<double> exposure;  ///< none: automatic
     tables::Tonemap tonemap = tables::Tonemap::pbr_neutral;
+    tables::Gamut gamut = tables::Gamut::srgb;
+    std::optional<float> white_balance_k;  ///< light of that temperature shows white
+    bool is_panorama = false;
+    bool is_resampled = false;  ///< the rasteriser's flat views are not the picture
     tables::BrdfChoice brdf;
     std::vector<tables::Aov> aovs;
     tables::RayBudget rays;

@@ -6,6 +6,8 @@
 #include "brdf/albedo.h"
 #include "brdf/glsl_text.h"
 #include "frame/output/exposure.h"
+#include "math/blackbody.h"
+#include "math/color.h"
 #include "render/rays.h"
 #include "render/stopwatch.h"
 
@@ -232,12 +234,17 @@ base::Result<std::vector<frame::ExplainedPixel>> Session::explain(
 double Session::measure_exposure(std::uint32_t count) {
     const math::Extent size = frame_->size();
     std::vector<float> radiance(static_cast<std::size_t>(size.pixels()) * 4);
-    std::vector<float> depth(static_cast<std::size_t>(size.pixels()));
-    gl::read_pixels(*gl_, frame_->sum_framebuffer(count), 0, size, {GL_RGBA, GL_FLOAT},
+    gl::read_pixels(*gl_, frame_->sum_framebuffer(), 0, size, {GL_RGBA, GL_FLOAT},
                     std::as_writable_bytes(std::span(radiance)));
+    return frame::auto_exposure(radiance, read_depth(), count, *pool_);
+}
+
+std::vector<float> Session::read_depth() const {
+    const math::Extent size = frame_->size();
+    std::vector<float> depth(static_cast<std::size_t>(size.pixels()));
     gl::read_pixels(*gl_, frame_->depth_framebuffer(), 0, size, {GL_DEPTH_COMPONENT, GL_FLOAT},
                     std::as_writable_bytes(std::span(depth)));
-    return frame::auto_exposure(radiance, depth, count, *pool_);
+    return depth;
 }
 
 frame::DisplaySettings Session::display_settings(double exposure, std::uint32_t count) const {
@@ -246,7 +253,10 @@ frame::DisplaySettings Session::display_settings(double exposure, std::uint32_t 
         .exposure = exposure,
         .frame_count = count,
         .sample = plan_.display_sample,
-        .dither = !plan_.is_draft && plan_.display_sample == image::Sample::u8};
+        .dither = !plan_.is_draft && plan_.display_sample == image::Sample::u8,
+        .gamut = plan_.gamut};
+    if (plan_.white_balance_k)
+        settings.balance = math::adapted_from(math::blackbody_color(*plan_.white_balance_k));
     if (plan_.background.kind == frame::BackgroundKind::color)
         settings.background = plan_.background.color;
     return settings;
@@ -281,16 +291,10 @@ void Session::set_lights(std::span<const scene::Light> lights) {
 }
 
 image::Image Session::read_mean(std::uint32_t count) const {
-    image::Image mean = frame::read_radiance(*gl_, frame_->sum_framebuffer(count), frame_->size());
+    image::Image mean = frame::read_radiance(*gl_, frame_->sum_framebuffer(), frame_->size());
     const float share = 1.0F / static_cast<float>(count);
     for (float& value : mean.as<float>()) value *= share;
     return mean;
-}
-
-image::Layer Session::read_beauty(double exposure, std::uint32_t count) const {
-    image::Layer layer{.name = "", .channels = {"R", "G", "B", "A"}, .image = read_mean(count)};
-    lay_over_background(layer.image, exposure);
-    return layer;
 }
 
 void Session::lay_over_background(std::vector<image::Layer>& aovs, const image::Image& radiance,

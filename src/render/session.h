@@ -71,6 +71,10 @@ public:
     /// What they found, for the samples from the next 0 on, until the picture changes.
     [[nodiscard]] base::Status take_rays();
     [[nodiscard]] base::Status draw_centered_aovs();
+    /// Another view of the scene from the next sample 0 on: a region of a picture, the whole unless
+    /// told.
+    [[nodiscard]] base::Status look(const scene::Camera& camera, const frame::Region& region,
+                                    math::Extent picture = {});
     /// The contract's automatic exposure of the `count` frames drawn.
     [[nodiscard]] double measure_exposure(std::uint32_t count);
     /// Encodes for a screen, on the GL; read_display() fetches the picture.
@@ -94,8 +98,10 @@ public:
     [[nodiscard]] base::Status display_picture(const image::Image& radiance, double exposure);
     /// Lays radiance over the background colour, where one is named.
     void lay_over_background(image::Image& radiance, double exposure) const;
-    /// Beauty as radiance in nit, over the background colour where one is named.
-    [[nodiscard]] image::Layer read_beauty(double exposure, std::uint32_t count) const;
+    /// Beauty as radiance in nit, of itself: with its coverage, rows from the top.
+    [[nodiscard]] image::Image read_mean(std::uint32_t count) const;
+    /// Window depth of the last frame, rows from the bottom.
+    [[nodiscard]] std::vector<float> read_depth() const;
     /// Likewise `background` among AOVs, where `radiance` is what the picture is of itself.
     void lay_over_background(std::vector<image::Layer>& aovs, const image::Image& radiance,
                              double exposure) const;
@@ -109,8 +115,6 @@ private:
     [[nodiscard]] frame::DisplaySettings display_settings(double exposure,
                                                           std::uint32_t count) const;
     [[nodiscard]] frame::FrameSpec frame_spec() const;
-    /// Beauty as radiance in nit, of itself: with its coverage.
-    [[nodiscard]] image::Image read_mean(std::uint32_t count) const;
     /// The parts of the upload; each from job_, settings_ and plan_.
     [[nodiscard]] base::Status upload_environment(base::Warnings& warnings);
     [[nodiscard]] base::Status make_frame();

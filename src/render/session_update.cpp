@@ -17,7 +17,9 @@ bool edits_differ(const Settings& a, const Settings& b) {
 
 bool camera_differs(const Settings& a, const Settings& b) {
     return a.camera != b.camera || a.fov != b.fov || a.size != b.size ||
-           a.projection != b.projection || a.aperture != b.aperture || a.focus != b.focus ||
+           a.projection != b.projection || a.vignette != b.vignette ||
+           a.motion_blur != b.motion_blur || a.distortion != b.distortion ||
+           a.aberration != b.aberration || a.aperture != b.aperture || a.focus != b.focus ||
            a.blades != b.blades;
 }
 
@@ -59,6 +61,17 @@ base::Status Session::change(const Settings& settings, const Plan& plan, base::W
     if (new_brdf || new_light)
         if (auto s = upload_environment(warnings); !s) return s;
     if (new_brdf) return make_frame();
+    if (targets_differ(frame_spec(), frame_->spec())) return frame_->resize(*gl_, frame_spec());
+    return {};
+}
+
+base::Status Session::look(const scene::Camera& camera, const frame::Region& region,
+                           math::Extent picture) {
+    forget_indirect();
+    job_->camera = camera;
+    plan_.region = region;
+    plan_.picture = picture.pixels() > 0 ? picture : region.size;
+    explainer_.reset();
     if (targets_differ(frame_spec(), frame_->spec())) return frame_->resize(*gl_, frame_spec());
     return {};
 }

@@ -234,7 +234,9 @@ float middle_depth_m(const Camera& camera, const Scene& scene) {
 
 void set_projection(Camera& camera, const Scene& scene, std::string_view projection) {
     const float depth = middle_depth_m(camera, scene);
-    if (projection == "orthographic" && camera.projection == Projection::perspective) {
+    if (projection == "panorama") {
+        camera.projection = Projection::panorama;
+    } else if (projection == "orthographic" && camera.projection == Projection::perspective) {
         camera.projection = Projection::orthographic;
         camera.ymag_m = depth * std::tan(0.5F * camera.yfov_rad);
     } else if (projection == "perspective" && camera.projection == Projection::orthographic) {

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "scene/lens.h"
 
+#include "brdf/camera_terms.h"
+
 #include <cmath>
+#include <limits>
 
 namespace facet::scene {
 
@@ -33,6 +36,24 @@ Vec2 place_on_lens(const Camera& camera, Vec2 u) {
     const float angle =
         wide ? math::pi / 4.0F * (p.y / p.x) : math::pi / 2.0F - math::pi / 4.0F * (p.x / p.y);
     return Vec2(std::cos(angle), std::sin(angle)) * (r * camera.lens_radius_m);
+}
+
+Barrel wide_barrel() { return {.rim_m = std::numeric_limits<float>::max(), .shift_m = 0.0F}; }
+
+Barrel tight_barrel(float yfov_rad, math::Extent size) {
+    constexpr float open_f_number = 1.4F;
+    constexpr float moved = 0.4F;
+    const float rim = lens_radius_m(yfov_rad, open_f_number);
+    const float half = std::tan(0.5F * yfov_rad);
+    const float aspect = static_cast<float>(size.width) / static_cast<float>(size.height);
+    return {rim, moved * 2.0F * rim / (half * std::hypot(1.0F, aspect))};
+}
+
+float vignetting(const Barrel& barrel, Vec2 tangent, Vec2 lens_m) {
+    if (barrel.rim_m <= 0.0F) return 1.0F;
+    brdf::CameraTerms<float> terms;
+    return terms.natural_vignetting(tangent) *
+           terms.mechanical_vignetting(tangent, lens_m, barrel.rim_m, barrel.shift_m);
 }
 
 double exposure_value(double f_number, double shutter_s, double iso) {

@@ -112,7 +112,23 @@ struct LightAxes {
 /// Surface that shines, in square metres; 0 for kinds without a size.
 [[nodiscard]] float area_m2(const Light& light);
 
-enum class Projection : std::uint8_t { perspective, orthographic };
+enum class Projection : std::uint8_t { perspective, orthographic, panorama };
+
+/// How a camera moves while its shutter is open, around where it stands in the middle of that time.
+struct CameraMotion {
+    Vec3 move_m{0.0F};       ///< right, up and back, as the camera sees it
+    float turn_rad = 0.0F;   ///< around itself, to the left
+    float orbit_rad = 0.0F;  ///< around `pivot_m`, counter-clockwise seen from above
+    Vec3 pivot_m{0.0F};
+    bool operator==(const CameraMotion&) const = default;
+};
+
+/// What of a lens lets less light through at its edge: a barrel before it, and the cosines' fourth
+/// power.
+struct Barrel {
+    float rim_m = 0.0F;    ///< radius of its rim; 0: the picture is as bright at its edge
+    float shift_m = 0.0F;  ///< by which the rim moves over the aperture, for each tangent off axis
+};
 
 /// Looks along -z of its own frame, y up.
 struct Camera {
@@ -127,6 +143,10 @@ struct Camera {
     float lens_radius_m = 0.0F;  ///< 0: everything is sharp
     float focus_m = 1.0F;        ///< depth that is sharp, where the lens has a size
     std::uint32_t blades = 0;    ///< corners of its aperture; below 3: round
+    Barrel barrel{};
+    CameraMotion motion{};
+    float distortion = 0.0F;  ///< scene::source_of()
+    float aberration = 0.0F;  ///< likewise
 };
 
 /// An image the materials use; null where it could not be read and a white pixel stands in.

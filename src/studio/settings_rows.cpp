@@ -20,8 +20,9 @@ using tables::Setting;
 using tables::Settings;
 
 /// Settings that other parts of the studio are for, or that a viewport has no use for.
-constexpr std::array hidden = {"light",     "set",     "material",   "camera", "aov",
-                               "reference", "compare", "time_limit", "region", "depth"};
+constexpr std::array hidden = {"light",      "set",        "material",   "camera", "aov",
+                               "reference",  "compare",    "time_limit", "region", "depth",
+                               "distortion", "aberration", "gamut"};
 
 template <class Rows>
 std::vector<std::string> keys(const Rows& rows) {
@@ -33,6 +34,7 @@ std::vector<std::string> keys(const Rows& rows) {
 /// What a text setting can be chosen from; empty where it is typed.
 std::vector<std::string> choices(const Setting& row, const PanelTools& tools) {
     if (row.key == "tonemap") return keys(tables::tonemaps);
+    if (row.key == "projection") return {"perspective", "orthographic"};
     if (row.key == "env") {
         auto names = keys(tables::environments);
         const std::string& now = tools.editor.document.settings.env;

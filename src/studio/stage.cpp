@@ -91,6 +91,7 @@ base::Status Stage::open(const Document& document, bool steady) {
     settings.reference.clear();
     settings.compare = false;
     settings.time_limit = std::nullopt;
+    settings.projection.clear();
     const auto plan = render::make_plan(settings);
     if (!plan) return tl::unexpected(plan.error());
     auto job = render::load_job({document.scene, settings}, *plan, tools_.pool);
@@ -119,6 +120,11 @@ tables::Settings Stage::settings_for(const Scenery& scenery, Extent size) const 
     settings.time_limit = std::nullopt;
     settings.compare = false;
     settings.depth.clear();
+    // A viewport is flat, and shows what a screen does.
+    settings.distortion = 0.0F;
+    settings.aberration = 0.0F;
+    settings.gamut = "srgb";
+    if (settings.projection == "panorama") settings.projection.clear();
     const View& view = view_by_key(scenery.look.view);
     settings.aov.clear();
     for (const tables::Aov aov : view.aovs) settings.aov.emplace_back(tables::row(aov).key);

@@ -41,6 +41,7 @@ struct Setting {
     std::string_view value = {};  ///< what stands for the value in help
     std::string_view group;
     bool repeatable = false;
+    bool rare = false;  ///< left out of --help
     std::string_view help;
 };
 inline constexpr auto settings = std::to_array<Setting>({

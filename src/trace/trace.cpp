@@ -44,6 +44,39 @@ struct Pass {
     const TraceSettings& settings;
 };
 
+/// What one sample of a pixel sees.
+PathLight trace_sample(const Pass& pass, math::Vec2 at_px, Cone cone, Sequence& sequence,
+                       LightPaths* apart) {
+    const CameraRays& camera = pass.camera;
+    RayChoice choice;
+    if (camera.has_lens()) choice.lens_m = camera.place_on_lens(sequence.next_pair());
+    if (camera.moves()) choice.time = sequence.next();
+    if (!camera.is_chromatic()) {
+        PathLight light = trace_path(pass.world, camera.ray(at_px, choice), cone, sequence, apart);
+        if (!camera.vignettes()) return light;
+        const math::Vec3 share(camera.vignetting(at_px, choice));
+        light.radiance_nit *= share;
+        if (apart != nullptr) apart->scale(share);
+        return light;
+    }
+    PathLight out;
+    for (choice.channel = 0; choice.channel < 3; ++choice.channel) {
+        LightPaths paths;
+        Sequence same = sequence;
+        const PathLight one = trace_path(pass.world, camera.ray(at_px, choice), cone, same,
+                                         apart == nullptr ? nullptr : &paths);
+        math::Vec3 color(0.0F);
+        color[choice.channel] = camera.vignetting(at_px, choice);
+        out.radiance_nit += one.radiance_nit * color;
+        out.coverage += one.coverage / 3.0F;
+        out.rays += one.rays;
+        if (apart == nullptr) continue;
+        paths.scale(color);
+        apart->add(paths);
+    }
+    return out;
+}
+
 /// Traces samples [first, first + count) of one tile's pixels.
 TileCounts trace_tile(const Pass& pass, Film& film, std::size_t tile, std::uint32_t first,
                       std::uint32_t count) {
@@ -61,12 +94,9 @@ TileCounts trace_tile(const Pass& pass, Film& film, std::size_t tile, std::uint3
                 Sequence sequence(pixel, i, settings.seed);
                 const math::Vec2 at =
                     sequence.next_pair() + math::Vec2(settings.x + x, settings.y + y);
-                const math::Vec2 lens = pass.camera.has_lens()
-                                            ? pass.camera.place_on_lens(sequence.next_pair())
-                                            : math::Vec2(0.0F);
                 LightPaths apart;
-                const PathLight light = trace_path(pass.world, pass.camera.ray(at, lens), cone,
-                                                   sequence, film.keeps_paths() ? &apart : nullptr);
+                const PathLight light =
+                    trace_sample(pass, at, cone, sequence, film.keeps_paths() ? &apart : nullptr);
                 counts.rays += light.rays;
                 ++counts.paths;
                 if (!film.add(std::size_t{y} * settings.size.width + x, light, apart))

@@ -108,7 +108,7 @@ TEST(Help, NamesEveryCommandAndEverySetting) {
     const std::string general = facet({"--help"}).out;
     for (const auto& command : tables::commands)
         EXPECT_NE(general.find(command.help), std::string::npos) << command.key;
-    const std::string render = facet({"help", "render"}).out;
+    const std::string render = facet({"help", "render"}).out + facet({"help", "more"}).out;
     for (const auto& setting : tables::settings) {
         std::string flag = "--" + std::string(setting.key);
         for (char& c : flag) c = c == '_' ? '-' : c;
@@ -117,7 +117,7 @@ TEST(Help, NamesEveryCommandAndEverySetting) {
 }
 TEST(Help, EveryTopicThatIsNamedIsThere) {
     for (const char* topic :
-         {"lights", "cameras", "quality", "set", "aovs", "studio", "exit-codes"}) {
+         {"lights", "cameras", "quality", "set", "aovs", "studio", "more", "exit-codes"}) {
         const Ran ran = facet({"help", topic});
         EXPECT_EQ(ran.exit, 0) << topic;
         EXPECT_TRUE(ran.out.starts_with("Example: facet ")) << topic;

@@ -70,7 +70,7 @@ TEST(Lens, CircleOfConfusionIsTheThinLensOneInRasterAndReference) {
         // The reference's ray through that pixel from that place on the lens meets the point.
         const trace::CameraRays rays(camera, {height, height});
         const float x = 0.5F * height + raster_offset_px(camera, depth, height);
-        const auto ray = rays.ray({x, 0.5F * height}, {camera.lens_radius_m, 0.0F});
+        const auto ray = rays.ray({x, 0.5F * height}, {.lens_m = {camera.lens_radius_m, 0.0F}});
         const Vec3 at = ray.origin + ray.direction * (-depth / ray.direction.z);
         EXPECT_NEAR(at.x, 0.0F, 1e-4F) << depth;
     }

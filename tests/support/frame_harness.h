@@ -80,9 +80,8 @@ public:
         }
         if (auto drawn = draw_all(*frame, in, shot.samples); !drawn)
             return tl::unexpected(drawn.error());
-        Picture out{
-            .radiance = frame::read_radiance(*gl_, frame->sum_framebuffer(shot.samples), shot.size),
-            .aovs = {}};
+        Picture out{.radiance = frame::read_radiance(*gl_, frame->sum_framebuffer(), shot.size),
+                    .aovs = {}};
         for (float& value : out.radiance.as<float>()) value /= static_cast<float>(shot.samples);
         out.aovs = frame->read_aovs(*gl_, shot.samples);
         return out;

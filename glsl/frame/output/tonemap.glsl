@@ -1,8 +1,9 @@
 // Tone curves: exposed linear Rec.709 >= 0 to display-linear Rec.709 in [0, 1]. FACET_TONEMAP chooses one.
+// `brightest` above 1 is a screen that shows more than white; the curves that are made for paper white stay below 1.
 
 // Khronos PBR Neutral (Khronos 2024, "PBR Neutral Tone Mapper specification", version 1.0): keeps base
 // colours below 0.8 as they are, compresses highlights towards white.
-vec3 tone_map_pbr_neutral(vec3 color) {
+vec3 tone_map_pbr_neutral(vec3 color, float brightest) {
     const float START = 0.8 - 0.04;  // start of compression, less the Fresnel offset F90 = 0.04
     const float DESATURATION = 0.15;
     float x = min(color.r, min(color.g, color.b));
@@ -10,8 +11,8 @@ vec3 tone_map_pbr_neutral(vec3 color) {
     color -= offset;
     float peak = max(color.r, max(color.g, color.b));
     if (peak < START) return color;
-    float d = 1.0 - START;
-    float new_peak = 1.0 - d * d / (peak + d - START);
+    float d = brightest - START;
+    float new_peak = brightest - d * d / (peak + d - START);
     color *= new_peak / peak;
     float g = 1.0 - 1.0 / (DESATURATION * (peak - new_peak) + 1.0);
     return mix(color, vec3(new_peak), g);
@@ -52,9 +53,9 @@ vec3 tone_map_agx(vec3 color) {
     return pow(max(OUTSET * curve, vec3(0.0)), vec3(2.2));
 }
 
-vec3 tone_map(vec3 color) {
+vec3 tone_map(vec3 color, float brightest) {
 #if FACET_TONEMAP == 0
-    return tone_map_pbr_neutral(color);
+    return tone_map_pbr_neutral(color, brightest);
 #elif FACET_TONEMAP == 1
     return tone_map_agx(color);
 #elif FACET_TONEMAP == 2

@@ -141,8 +141,8 @@ base::Result<std::vector<ExplainedPixel>> Explainer::draw(const gl::Context& gl,
         light.which.y = static_cast<std::uint32_t>(in.lights.order[light.which.y]);
     const math::Vec2 jitter = jitter_px(index, count);
     const FrameSpec& spec = frame_.spec();
-    const std::vector<std::size_t> ranks = ranks_far_to_near(
-        in.scene, sample_view(in.camera, spec.picture, spec.region, index, count));
+    const shared::View view = sample_view(in.camera, spec.picture, spec.region, index, count);
+    const std::vector<std::size_t> ranks = ranks_far_to_near(in.scene, view);
     std::vector<ExplainedPixel> out(pixels.size());
     struct Found {
         const ExplainedSurface* fetched = nullptr;
@@ -167,6 +167,7 @@ base::Result<std::vector<ExplainedPixel>> Explainer::draw(const gl::Context& gl,
         ExplainedPixel& pixel = out[i];
         Found& at = found[i];
         pixel.jitter_px = jitter;
+        pixel.vignetting = vignetting(view, pixels[i].x, pixels[i].y);
         const std::size_t place =
             (std::size_t{pixels[i].y} * frame_.size().width + pixels[i].x) * 4;
         for (int c = 0; c < 4; ++c) pixel.radiance[c] = values[place + static_cast<std::size_t>(c)];

@@ -23,6 +23,7 @@ struct ExplainedPoint {
 /// One pixel of one jittered frame.
 struct ExplainedPixel {
     math::Vec2 jitter_px{0.0F};  ///< of the sample from the pixel's centre
+    float vignetting = 1.0F;     ///< share of the light that the lens lets through
     std::optional<ExplainedPoint> opaque;
     std::vector<ExplainedPoint> blended;       ///< before it, far to near
     std::optional<math::Vec3> background_nit;  ///< seen where nothing is opaque

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "frame/output/output.h"
 
+#include "math/color.h"
+
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
@@ -14,7 +16,32 @@ namespace {
 struct DisplayBlock {
     math::Vec4 scale;
     math::Vec4 background;
+    math::Mat4 balance;
+    math::Mat4 primaries;
+    math::Vec4 screen;
 };
+
+math::Mat3 primaries_of(tables::Gamut gamut) {
+    switch (gamut) {
+        case tables::Gamut::p3:
+            return math::p3_from_rec709();
+        case tables::Gamut::rec2020_pq:
+            return math::rec2020_from_rec709();
+        default:
+            return math::Mat3(1.0F);
+    }
+}
+
+/// As DisplayBlock::screen.
+math::Vec4 screen_of(const DisplaySettings& settings) {
+    if (settings.gamut != tables::Gamut::rec2020_pq) return {1.0F, 0.0F, 0.0F, 0.0F};
+    constexpr float white_nit = 203.0F;  // ITU-R BT.2408-7, Table 1
+    constexpr float mastered_nit = 1000.0F;
+    constexpr float most_nit = 10000.0F;
+    // Without a tone curve all that the code can hold is shown.
+    const float peak = settings.tonemap == tables::Tonemap::none ? most_nit : mastered_nit;
+    return {peak / white_nit, white_nit, 0.0F, 0.0F};
+}
 
 base::Result<gl::Program> make_display(const gl::Context& gl, const gl::ShaderSources& sources,
                                        tables::Tonemap tonemap) {
@@ -54,6 +81,7 @@ base::Result<AccumulatePass> AccumulatePass::create(const gl::Context& gl,
     auto program = gl::build_program(
         gl, sources, {"frame/full_screen.vert", "frame/output/accumulate.frag", ""});
     if (!program) return tl::unexpected(program.error());
+    gl::bind_block(gl, *program, "ViewBlock", view_binding);
     gl::bind_sampler(gl, *program, "radiance", 0);
     AccumulatePass pass;
     pass.program_ = std::move(*program);
@@ -96,7 +124,10 @@ base::Status DisplayPass::run(const gl::Context& gl, const gl::Texture& sum, mat
     const DisplayBlock block{{static_cast<float>(settings.exposure) * share, share,
                               settings.dither ? 1.0F : 0.0F, 1.0F / codes},
                              math::Vec4(settings.background.value_or(math::Vec3(0.0F)),
-                                        settings.background ? 1.0F : 0.0F)};
+                                        settings.background ? 1.0F : 0.0F),
+                             math::Mat4(settings.balance),
+                             math::Mat4(primaries_of(settings.gamut)),
+                             screen_of(settings)};
     if (!block_) block_ = gl::make_buffer(gl, std::as_bytes(std::span(&block, 1)), GL_STREAM_DRAW);
     gl::update_buffer(gl, block_, std::as_bytes(std::span(&block, 1)));
     gl.api().BindBufferBase(GL_UNIFORM_BUFFER, display_binding, block_.name());

@@ -5,6 +5,7 @@
 #include "frame/gbuffer/gbuffer.h"
 #include "frame/permutations.h"
 #include "image/image.h"
+#include "tables/gamuts.h"
 #include "tables/tonemaps.h"
 
 #include <optional>
@@ -38,6 +39,8 @@ struct DisplaySettings {
     std::uint32_t frame_count = 1;
     image::Sample sample = image::Sample::u8;  ///< u8 or u16
     bool dither = false;
+    tables::Gamut gamut = tables::Gamut::srgb;
+    math::Mat3 balance{1.0F};              ///< of linear Rec.709, before the tone curve
     std::optional<math::Vec3> background;  ///< display-linear colour under the picture
 };
 

@@ -1,0 +1,116 @@
+// Settings of the camera and of what it makes of light, understood.
+// SPDX-License-Identifier: MIT
+#include "render/plan_parts.h"
+#include "scene/lens.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace facet::render {
+
+namespace {
+
+/// What a panorama has not.
+base::Status check_panorama(const tables::Settings& settings) {
+    for (const auto& [option, given] : {std::pair{"--aperture", settings.aperture.has_value()},
+                                        std::pair{"--vignette", settings.vignette != "off"},
+                                        std::pair{"--motion-blur", !settings.motion_blur.empty()},
+                                        std::pair{"--distortion", settings.distortion != 0.0F},
+                                        std::pair{"--aberration", settings.aberration != 0.0F}})
+        if (given)
+            return usage(option, "a panorama has no lens", "",
+                         "leave it out, or --projection perspective");
+    return {};
+}
+
+}  // namespace
+
+base::Status plan_camera(const tables::Settings& settings, Plan& plan) {
+    const std::array<std::string, 3> names = {"perspective", "orthographic", "panorama"};
+    if (!settings.projection.empty()) {
+        const auto one = choose("--projection", settings.projection, names);
+        if (!one) return tl::unexpected(one.error());
+        if (settings.projection == names[2])
+            if (auto fits = check_panorama(settings); !fits) return fits;
+    }
+    const std::array<std::string, 3> vignettes = {"off", "natural", "full"};
+    if (const auto one = choose("--vignette", settings.vignette, vignettes); !one)
+        return tl::unexpected(one.error());
+    // A lens is looked through at one place a frame, and at one time: a few would show as a few
+    // pictures.
+    constexpr std::uint32_t lens_frames = 4;
+    constexpr std::uint32_t least_frames = 16;
+    const bool is_spread = settings.aperture || !settings.motion_blur.empty();
+    if (is_spread && settings.samples == 0)
+        plan.sample_count = std::max(plan.sample_count * lens_frames, least_frames);
+    for (const auto& [option, given] : {std::pair{"--blades", settings.blades > 0},
+                                        std::pair{"--focus", settings.focus.has_value()}})
+        if (given && !settings.aperture)
+            return usage(option, "needs an aperture", "", "add --aperture N, for example 2.8");
+    return {};
+}
+
+base::Status plan_exposure(const tables::Settings& settings, Plan& plan) {
+    const auto names = keys(tables::tonemaps);
+    const auto tonemap = choose("--tonemap", settings.tonemap, names);
+    if (!tonemap) return tl::unexpected(tonemap.error());
+    plan.tonemap = static_cast<tables::Tonemap>(*tonemap);
+    if (settings.ev && settings.exposure != "auto")
+        return usage("--ev", "cannot be given together with --exposure", "",
+                     "leave one of them out");
+    if (settings.shutter) {
+        if (!settings.aperture)
+            return usage("--shutter", "needs an aperture", "", "add --aperture N, for example 8");
+        if (settings.ev || settings.exposure != "auto")
+            return usage("--shutter", "cannot be given together with --ev or --exposure", "",
+                         "leave one of them out");
+        const double ev = scene::exposure_value(static_cast<double>(*settings.aperture),
+                                                static_cast<double>(*settings.shutter),
+                                                static_cast<double>(settings.iso));
+        plan.exposure = 1.0 / (1.2 * std::exp2(ev));
+        return {};
+    }
+    // ISO 12232 with q = 0.65: the saturation luminance of EV 0 is 1.2 nit.
+    if (settings.ev) plan.exposure = 1.0 / (1.2 * std::exp2(static_cast<double>(*settings.ev)));
+    if (settings.exposure == "auto") return {};
+    const auto factor = base::parse_number(settings.exposure);
+    if (!factor || *factor <= 0.0 || *factor > 1e12)
+        return usage("--exposure", "not a factor above 0 or auto", settings.exposure,
+                     "for example 1");
+    plan.exposure = *factor;
+    return {};
+}
+
+base::Status plan_gamut(const tables::Settings& settings, Plan& plan) {
+    const auto names = keys(tables::gamuts);
+    const auto gamut = choose("--gamut", settings.gamut, names);
+    if (!gamut) return tl::unexpected(gamut.error());
+    plan.gamut = static_cast<tables::Gamut>(*gamut);
+    plan.white_balance_k = settings.white_balance;
+    if (plan.gamut != tables::Gamut::rec2020_pq) return {};
+    if (!settings.depth.empty() && settings.depth != "16")
+        return usage("--gamut", "PQ has 16 bits", "--depth " + settings.depth, "--depth 16");
+    if (settings.compare)
+        return usage("--compare", "compares what a screen of today shows", "--gamut rec2020-pq",
+                     "leave one of them out");
+    plan.display_sample = image::Sample::u16;
+    return {};
+}
+
+base::Status plan_resampling(const tables::Settings& settings, Plan& plan) {
+    plan.is_panorama = settings.projection == "panorama";
+    plan.is_resampled =
+        plan.is_panorama || settings.distortion != 0.0F || settings.aberration != 0.0F;
+    const bool by_reference_alone = plan.reference && !settings.compare && !plan.is_panorama;
+    if (!plan.is_resampled || by_reference_alone || plan.aovs.empty()) return {};
+    return base::fail({.code = base::ErrorCode::feature_missing,
+                       .file = "--aov",
+                       .what = plan.is_panorama ? "a panorama has no AOVs"
+                                                : "a lens that bends has AOVs in --reference alone",
+                       .found = settings.aov.front(),
+                       .remedy = "leave it out"});
+}
+
+}  // namespace facet::render

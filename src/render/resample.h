@@ -1,0 +1,24 @@
+// Pictures that no flat view is: panoramas, and those of lenses that bend; drawn as flat views and
+// resampled. SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/result.h"
+#include "image/image.h"
+
+namespace facet::base {
+class ThreadPool;
+}
+
+namespace facet::render {
+
+class Session;
+
+struct Resampled {
+    image::Image radiance;  ///< f32 [height, width, 4], nit, associated coverage
+    double exposure = 1.0;  ///< automatic, of the flat views
+};
+/// The session draws views of its own meanwhile, and is as it was afterwards. Errors: as
+/// Session::draw().
+[[nodiscard]] base::Result<Resampled> draw_resampled(Session& session, base::ThreadPool& pool);
+
+}  // namespace facet::render
