@@ -30,9 +30,8 @@ std::string lights() {
         "color is #rrggbb or \"r g b\" linear; temperature is in kelvin. inner and outer are half "
         "angles of a cone.\n";
     out +=
-        "Kinds with a size (nit) light by rays, in raster and reference alike; --shadows off "
-        "leaves "
-        "them out.\n\n";
+        "Kinds with a size (nit) light by rays, in raster and reference alike; with --shadows off "
+        "by linearly\ntransformed cosines, without shadows.\n\n";
     for (const auto& row : tables::light_kinds)
         out += fmt::format("{:<12} {} Unit: {}.\n{:<12} keys: {}\n", row.key, row.help, row.unit,
                            "", row.keys);

@@ -39,7 +39,9 @@ base::Result<Frame> Frame::create(const gl::Context& gl, const gl::ShaderSources
     auto accumulate = AccumulatePass::create(gl, sources);
     if (!accumulate) return tl::unexpected(accumulate.error());
     frame.accumulate_pass_ = std::move(*accumulate);
-    frame.light_buffers_ = make_light_buffers(gl);
+    auto light_buffers = make_light_buffers(gl);
+    if (!light_buffers) return tl::unexpected(light_buffers.error());
+    frame.light_buffers_ = std::move(*light_buffers);
     frame.rays_ = make_ray_textures(gl);
     frame.view_block_ = gl::make_buffer(gl, {}, GL_STREAM_DRAW);
     frame.empty_ = gl::make_vertex_array(gl);
@@ -121,7 +123,8 @@ void Frame::set_view(const gl::Context& gl, const FrameInputs& in,
 ShadeKey Frame::upload_lights(const gl::Context& gl, const FrameInputs& in) {
     update_lights(gl, light_buffers_, in.lights);
     return {.environment = !in.environment.is_black,
-            .local_lights = in.lights.count > in.lights.directional_count};
+            .local_lights = in.lights.count > in.lights.directional_count,
+            .area_lights = in.lights.area_count > 0};
 }
 
 LightLists Frame::update_light_lists(const gl::Context& gl, const FrameInputs& in,

@@ -72,7 +72,11 @@ std::vector<scene::Light> local_lights(const scene::Scene& scene, const BenchReq
                            .intensity = high * high,
                            .position_m = places[i],
                            .direction = Vec3(0.0F, -1.0F, 0.0F),
-                           .range_m = high};
+                           .range_m = high,
+                           .radius_m = 0.05F * high,
+                           .width_m = 0.2F * high,
+                           .height_m = 0.1F * high};
+        if (const float area = scene::area_m2(light); area > 0.0F) light.intensity /= area;
         lights.push_back(light);
     }
     return lights;

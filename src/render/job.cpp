@@ -31,26 +31,18 @@ base::Result<scene::Loaded> load_scene(const Request& request, const Plan& plan,
     return scene::load_bytes(*bytes, "-", options, plan.limits, pool);
 }
 
-base::Status add_lights(const tables::Settings& settings, const Plan& plan, scene::Scene& scene) {
+base::Status add_lights(const tables::Settings& settings, scene::Scene& scene) {
     if (settings.no_file_lights) scene.lights.clear();
     for (const std::string& text : settings.light) {
         auto light = scene::parse_light(text);
         if (!light) return tl::unexpected(base::in_file(light.error(), "--light"));
         scene.lights.push_back(std::move(*light));
     }
-    if (plan.rays.samples > 0 || (plan.reference && !settings.compare)) return {};
-    for (const scene::Light& light : scene.lights)
-        if (scene::area_m2(light) > 0.0F)
-            return base::fail({.code = base::ErrorCode::feature_missing,
-                               .file = "--light",
-                               .what = "lights with a size need rays",
-                               .found = light.name,
-                               .remedy = "leave --shadows off out, or add --reference SPP"});
     return {};
 }
 
 base::Status edit(const tables::Settings& settings, const Plan& plan, scene::Scene& scene) {
-    if (auto added = add_lights(settings, plan, scene); !added) return added;
+    if (auto added = add_lights(settings, scene); !added) return added;
     for (const std::string& text : settings.material)
         if (auto set = scene::apply_material_setting(scene, text, plan.limits); !set)
             return tl::unexpected(base::in_file(set.error(), "--material"));

@@ -19,13 +19,16 @@ using Terms = brdf::LightTerms<float>;
 /// Below this a rectangle's solid angle cancels in float, and area is as good.
 constexpr float small_sr = 1e-3F;
 
+float inverse_range2_of(const Light& light) {
+    return light.range_m > 0.0F ? 1.0F / (light.range_m * light.range_m) : 0.0F;
+}
+
 /// Lux at normal incidence from a point or spot light (KHR_lights_punctual, as the rasteriser's
 /// light lists).
 Vec3 illuminance(const Light& light, const Vec3& to_light, float distance2) {
     Terms terms;
-    const float inverse_range2 =
-        light.range_m > 0.0F ? 1.0F / (light.range_m * light.range_m) : 0.0F;
-    Vec3 lux = terms.light_point(light.color * light.intensity, distance2, inverse_range2);
+    Vec3 lux =
+        terms.light_point(light.color * light.intensity, distance2, inverse_range2_of(light));
     if (light.kind == LightKind::spot) {
         const Vec2 edge =
             terms.spot_edge(std::cos(light.inner_cone_rad), std::cos(light.outer_cone_rad));
@@ -35,6 +38,10 @@ Vec3 illuminance(const Light& light, const Vec3& to_light, float distance2) {
 }
 
 }  // namespace
+
+float range_window(const Light& light, float distance2_m2) {
+    return Terms{}.light_window(distance2_m2, inverse_range2_of(light));
+}
 
 Vec3 directional_way(const Light& light, Vec2 u) {
     if (light.angle_rad <= 0.0F) return -light.direction;

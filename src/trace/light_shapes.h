@@ -6,6 +6,9 @@
 
 namespace facet::trace {
 
+/// What a light's range leaves of it at a distance.
+[[nodiscard]] float range_window(const scene::Light& light, float distance2_m2);
+
 /// One way to light a point.
 struct LightSample {
     math::Vec3 direction{0.0F};  ///< unit, to the light

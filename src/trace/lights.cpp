@@ -79,7 +79,7 @@ float Lights::weight(const Light& light, const Vec3& position_m) const {
     const float distance2 = math::dot(to_center, to_center);
     if (!is_sized(light)) return math::luminance(sample_point(light, to_center).light);
     const float area = scene::area_m2(light);
-    return math::luminance(light.color) * light.intensity * area /
+    return math::luminance(light.color) * light.intensity * area * range_window(light, distance2) /
            std::max(distance2, 0.25F * area);
 }
 
@@ -123,7 +123,8 @@ LightSample Lights::sample(const Choice& choice, const Vec3& position_m, Vec2 u,
     const Vec3 to_center = light.position_m - position_m;
     if (!is_sized(light)) return sample_point(light, to_center);
     LightSample out = sample_shape(light, axes_[choice.light], to_center, u);
-    out.light = light.color * light.intensity;
+    out.light =
+        light.color * (light.intensity * range_window(light, math::dot(to_center, to_center)));
     return out;
 }
 
@@ -153,11 +154,12 @@ Vec3 Lights::met(const Ray& ray, float pdf, float total_weight) const {
         const Light& light = lights_[i];
         if (!is_sized(light)) continue;
         float own = 0.0F;
-        const float distance =
-            hit_shape(light, axes_[i], light.position_m - ray.origin, ray.direction, own);
+        const Vec3 to_center = light.position_m - ray.origin;
+        const float distance = hit_shape(light, axes_[i], to_center, ray.direction, own);
         if (distance <= ray.near_m || distance > ray.far_m) continue;
         const float chosen = chance(weight(light, ray.origin), total_weight);
-        sum += light.color * (light.intensity * power_share(pdf, own * chosen));
+        sum += light.color * (light.intensity * power_share(pdf, own * chosen) *
+                              range_window(light, math::dot(to_center, to_center)));
     }
     return sum;
 }

@@ -8,9 +8,10 @@
 uniform samplerCube radiance_cube;   // prefiltered; see frame/environment/bake.h
 uniform samplerCube irradiance_cube;  // over pi
 uniform sampler2D albedo_table;      // A, B of the split sum and average E; see brdf/albedo.h
-uniform samplerBuffer lights;        // three texels a light, see frame/lighting/light_lists.h
+uniform samplerBuffer lights;        // LIGHT_TEXELS a light, see frame/lighting/light_lists.h
+const int LIGHT_TEXELS = 5;
 #if FACET_LOCAL_LIGHTS
-uniform usamplerBuffer light_tiles;    // first, count
+uniform usamplerBuffer light_tiles;    // first, and how many: without a size, and above 16 bits with one
 uniform usamplerBuffer light_indices;
 #endif
 
@@ -93,6 +94,10 @@ vec3 lit_by(ShadePoint p, BrdfView brdf, vec3 to_light, vec3 illuminance, float 
     return (f.diffuse + f.specular) * arriving;
 }
 
+#if FACET_AREA_LIGHTS
+#include "frame/lighting/area.glsl"
+#endif
+
 // Share of a light's rays that reach this pixel. Slots that there was no room for are taken to be lit.
 float light_visible(uint slot) {
 #if FACET_VISIBILITY
@@ -103,6 +108,31 @@ float light_visible(uint slot) {
     return 1.0;
 #endif
 }
+
+#if FACET_LOCAL_LIGHTS
+struct LocalLight {
+    int texel;  // its first
+    vec4 place;
+    vec4 color;
+    vec3 way;   // unit, to its middle
+    float distance2;
+};
+// `index`: in the lists.
+LocalLight local_light(uint index, vec3 position_m) {
+    LocalLight light;
+    light.texel = int(texelFetch(light_indices, int(index)).x) * LIGHT_TEXELS;
+    light.place = texelFetch(lights, light.texel);
+    light.color = texelFetch(lights, light.texel + 1);
+    light.way = light.place.xyz - position_m;
+    light.distance2 = dot(light.way, light.way);
+    light.way *= inversesqrt(max(light.distance2, 1e-12));
+#ifdef FACET_EXPLAIN
+    explain_light = uint(light.texel / LIGHT_TEXELS);
+    explain_distance_m = sqrt(light.distance2);
+#endif
+    return light;
+}
+#endif
 
 vec3 shade(ShadePoint p) {
     float n_dot_v = clamp(dot(p.normal, p.to_eye), N_DOT_V_MIN, 1.0);
@@ -155,7 +185,7 @@ vec3 shade(ShadePoint p) {
 #endif
 #endif
     for (uint i = 0u; i < view.light_counts.x; ++i) {
-        int texel = int(i) * 3;
+        int texel = int(i) * LIGHT_TEXELS;
         vec3 intensity_lux = texelFetch(lights, texel + 1).rgb;
         vec3 direction = texelFetch(lights, texel + 2).xyz;
 #ifdef FACET_EXPLAIN
@@ -164,26 +194,28 @@ vec3 shade(ShadePoint p) {
         radiance += lit_by(p, brdf, -direction, light_directional(intensity_lux), light_visible(i));
     }
 #if FACET_LOCAL_LIGHTS
+    // A software renderer works on both sides of a branch: lights of a kind have a loop of their own.
     uvec2 tile = uvec2(gl_FragCoord.xy) / TILE_PX;
     uvec2 list = texelFetch(light_tiles, int(tile.y * view.light_counts.z + tile.x)).xy;
-    for (uint i = 0u; i < list.y; ++i) {
-        int texel = int(texelFetch(light_indices, int(list.x + i)).x) * 3;
-#ifdef FACET_EXPLAIN
-        explain_light = uint(texel / 3);
-#endif
-        vec4 position_range = texelFetch(lights, texel);
-        vec4 intensity_scale = texelFetch(lights, texel + 1);
-        vec4 direction_offset = texelFetch(lights, texel + 2);
-        vec3 to_light = position_range.xyz - p.position_m;
-        float d2 = dot(to_light, to_light);
-        to_light *= inversesqrt(max(d2, 1e-12));
-#ifdef FACET_EXPLAIN
-        explain_distance_m = sqrt(d2);
-#endif
-        float cone = light_spot(-dot(to_light, direction_offset.xyz), intensity_scale.w, direction_offset.w);
-        vec3 illuminance = light_point(intensity_scale.rgb, d2, position_range.w) * cone;
-        radiance += lit_by(p, brdf, to_light, illuminance, light_visible(view.light_counts.x + i));
+    uint points = list.y & 0xFFFFu;
+    for (uint i = 0u; i < points; ++i) {
+        LocalLight light = local_light(list.x + i, p.position_m);
+        vec4 direction_offset = texelFetch(lights, light.texel + 2);
+        float cone = light_spot(-dot(light.way, direction_offset.xyz), light.color.w, direction_offset.w);
+        vec3 illuminance = light_point(light.color.rgb, light.distance2, light.place.w) * cone;
+        radiance += lit_by(p, brdf, light.way, illuminance, light_visible(view.light_counts.x + i));
     }
+#if FACET_AREA_LIGHTS
+    AreaView area_point = area_view(p, n_dot_v);
+    BrdfValue area_weight = brdf_environment(brdf);
+    for (uint i = points; i < points + (list.y >> 16u); ++i) {
+        LocalLight light = local_light(list.x + i, p.position_m);
+        vec4 x_kind = texelFetch(lights, light.texel + 3);
+        vec3 half_y = texelFetch(lights, light.texel + 4).xyz;
+        SeenArea area = seen_area(x_kind.w, light.place.xyz - p.position_m, x_kind.xyz, half_y);
+        radiance += lit_by_area(area_point, area_weight, area, light.color.rgb * light_window(light.distance2, light.place.w));
+    }
+#endif
 #endif
     return radiance;
 }

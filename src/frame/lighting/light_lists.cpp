@@ -15,6 +15,34 @@ using math::Vec2;
 using math::Vec3;
 using math::Vec4;
 
+void push_area(std::vector<Vec4>& texels, const scene::Light& light) {
+    const scene::LightAxes axes = scene::axes_of(light);
+    const float half_width = 0.5F * light.width_m;
+    switch (light.kind) {
+        case tables::LightKind::rect:
+            texels.emplace_back(axes.x * half_width, 1.0F);
+            texels.emplace_back(axes.y * (0.5F * light.height_m), 0.0F);
+            return;
+        case tables::LightKind::disk:
+            texels.emplace_back(axes.x * light.radius_m, 2.0F);
+            texels.emplace_back(axes.y * light.radius_m, 0.0F);
+            return;
+        case tables::LightKind::sphere:
+            texels.emplace_back(0.0F, 0.0F, 0.0F, 3.0F);
+            texels.emplace_back(light.radius_m, 0.0F, 0.0F, 0.0F);
+            return;
+        case tables::LightKind::tube:
+            texels.emplace_back(axes.x * half_width, 4.0F);
+            texels.emplace_back(axes.y * light.radius_m, 0.0F);
+            return;
+        case tables::LightKind::directional:
+        case tables::LightKind::point:
+        case tables::LightKind::spot:
+            texels.resize(texels.size() + 2, Vec4(0.0F));
+            return;
+    }
+}
+
 void push(std::vector<Vec4>& texels, const scene::Light& light) {
     const float inverse_range2 =
         light.range_m > 0.0F ? 1.0F / (light.range_m * light.range_m) : 0.0F;
@@ -29,6 +57,7 @@ void push(std::vector<Vec4>& texels, const scene::Light& light) {
     texels.emplace_back(light.position_m, inverse_range2);
     texels.emplace_back(light.color * light.intensity, scale);
     texels.emplace_back(light.direction, offset);
+    push_area(texels, light);
 }
 
 /// The box around what a tile shows, in world space.
@@ -50,6 +79,17 @@ bool touches(const math::Bounds& box, const Vec4& position_inverse_range2) {
     const Vec3 nearest = glm::clamp(center, box.low, box.high);
     const Vec3 gap = center - nearest;
     return math::dot(gap, gap) * position_inverse_range2.w <= 1.0F;
+}
+
+/// Some of the box is on the side that a flat light shines to.
+bool is_before(const math::Bounds& box, const Vec4* light) {
+    constexpr float last_flat_kind = 2.0F;
+    if (light[3].w <= 0.0F || light[3].w > last_flat_kind) return true;
+    const Vec3 normal(light[2]);
+    const Vec3 farthest(normal.x > 0.0F ? box.high.x : box.low.x,
+                        normal.y > 0.0F ? box.high.y : box.low.y,
+                        normal.z > 0.0F ? box.high.z : box.low.z);
+    return math::dot(normal, farthest - Vec3(light[0])) > 0.0F;
 }
 
 /// Tiles a light can reach at all, from the corners of the box around its sphere.
@@ -86,16 +126,19 @@ TileRange tile_range(const Vec4& position_inverse_range2, const math::Mat4& clip
 PackedLights pack_lights(std::span<const scene::Light> lights, bool with_rays) {
     PackedLights packed;
     for (std::size_t i = 0; i < lights.size(); ++i)
-        if (scene::area_m2(lights[i]) <= 0.0F && !(with_rays && lights[i].stands_in))
+        if (!with_rays || (scene::area_m2(lights[i]) <= 0.0F && !lights[i].stands_in))
             packed.order.push_back(i);
-    std::ranges::stable_partition(packed.order, [&](std::size_t i) {
-        return lights[i].kind == tables::LightKind::directional;
-    });
+    const auto order_of = [&](std::size_t i) {
+        if (lights[i].kind == tables::LightKind::directional) return 0;
+        return scene::area_m2(lights[i]) > 0.0F ? 2 : 1;
+    };
+    std::ranges::stable_sort(packed.order, {}, order_of);
     for (const std::size_t index : packed.order) {
         push(packed.texels, lights[index]);
         if (lights[index].kind == tables::LightKind::directional) ++packed.directional_count;
+        if (scene::area_m2(lights[index]) > 0.0F) ++packed.area_count;
     }
-    packed.count = static_cast<std::uint32_t>(packed.texels.size() / 3);
+    packed.count = static_cast<std::uint32_t>(packed.texels.size() / light_texels);
     return packed;
 }
 
@@ -138,19 +181,23 @@ LightLists build_light_lists(const PackedLights& lights, const math::Mat4& clip_
     }
     std::vector<std::vector<std::uint16_t>> lists(tile_count);
     for (std::uint32_t i = lights.directional_count; i < lights.count; ++i) {
-        const Vec4& position = lights.texels[std::size_t{i} * 3];
+        const Vec4* const light = &lights.texels[std::size_t{i} * light_texels];
+        const Vec4& position = light[0];
         const TileRange range = tile_range(position, clip_from_world, size, across, down);
         for (std::uint32_t y = range.y0; y < range.y1; ++y)
             for (std::uint32_t x = range.x0; x < range.x1; ++x) {
                 const std::size_t t = std::size_t{y} * across + x;
-                if (!bounds[t].is_empty() && touches(bounds[t], position))
+                if (!bounds[t].is_empty() && touches(bounds[t], position) &&
+                    is_before(bounds[t], light))
                     lists[t].push_back(static_cast<std::uint16_t>(i));
             }
     }
     LightLists out{.tiles_across = across};
     for (const auto& list : lists) {
         out.tiles.push_back(static_cast<std::uint32_t>(out.indices.size()));
-        out.tiles.push_back(static_cast<std::uint32_t>(list.size()));
+        const auto areas = static_cast<std::uint32_t>(std::ranges::count_if(
+            list, [&](std::uint16_t i) { return i >= lights.count - lights.area_count; }));
+        out.tiles.push_back(static_cast<std::uint32_t>(list.size()) - areas + (areas << 16U));
         out.indices.insert(out.indices.end(), list.begin(), list.end());
     }
     if (out.indices.empty()) out.indices.push_back(0);  // a texture buffer cannot be empty

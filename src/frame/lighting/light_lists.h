@@ -13,22 +13,28 @@ namespace facet::frame {
 
 inline constexpr std::uint32_t tile_px = 16;  ///< lighting/shade.glsl's TILE_PX
 
-/// Lights as the shader reads them, three vec4 each, directional ones first:
-/// (position, 1/range^2), (color * intensity, cone scale), (direction, cone offset).
+inline constexpr std::size_t light_texels = 5;  ///< a light; lighting/shade.glsl's LIGHT_TEXELS
+
+/// Lights as the shader reads them, light_texels vec4 each, directional ones first, those with a
+/// size last: (position, 1/range^2), (color * intensity, cone scale), (direction, cone offset), and
+/// for those with a size (half axis, kind of lighting/area.glsl), (half axis, 0): of the rectangle,
+/// the disk or the tube; a ball has its radius in the second.
 struct PackedLights {
     std::vector<math::Vec4> texels;
     std::vector<std::size_t> order;  ///< which of the lights each is
     std::uint32_t directional_count = 0;
     std::uint32_t count = 0;
+    std::uint32_t area_count = 0;  ///< of them have a size
 };
-/// Directional lights go before the others. Lights with a size are left to rays; so are,
-/// `with_rays`, those that stand in for a mesh, which is then a light itself.
+/// `with_rays` lights with a size are left to them; so are
+/// those that stand in for a mesh, which is then a light itself.
 [[nodiscard]] PackedLights pack_lights(std::span<const scene::Light> lights, bool with_rays);
 
 /// A list a tile, row by row from the bottom left.
 struct LightLists {
     std::uint32_t tiles_across = 0;
-    std::vector<std::uint32_t> tiles;    ///< pairs: first in `indices`, count
+    std::vector<std::uint32_t> tiles;    ///< pairs: first in `indices`; count of those without a
+                                         ///< size, and above 16 bits of those with one
     std::vector<std::uint16_t> indices;  ///< of PackedLights
 };
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "frame/lighting/lighting.h"
 
+#include "brdf/ltc.h"
+
 #include <spdlog/fmt/fmt.h>
 
 #include <array>
@@ -18,6 +20,7 @@ enum Unit : GLuint {
     tiles_unit,
     indices_unit,
     visibility_unit,
+    ltc_unit = visibility_unit,  // where rays are, lights with a size are theirs
     sky_unit,
     rest_unit,
     specular_unit,
@@ -49,8 +52,9 @@ base::Result<gl::Program> make(const gl::Context& gl, const gl::ShaderSources& s
 std::string defines(const ShadeKey& key) {
     std::string text =
         define("ENVIRONMENT", key.environment) + define("LOCAL_LIGHTS", key.local_lights) +
-        define("VISIBILITY", key.visibility) + define("INDIRECT", key.indirect) +
-        define("SAMPLE_LIGHT", key.sample_light) + define("LIGHT_PATHS", !key.paths.empty());
+        define("AREA_LIGHTS", key.area_lights) + define("VISIBILITY", key.visibility) +
+        define("INDIRECT", key.indirect) + define("SAMPLE_LIGHT", key.sample_light) +
+        define("LIGHT_PATHS", !key.paths.empty());
     std::string outputs;
     std::string writes;
     for (std::size_t i = 0; i < key.paths.size(); ++i) {
@@ -62,15 +66,22 @@ std::string defines(const ShadeKey& key) {
     return text + fmt::format("#define FACET_WRITE_PATHS(share) {}\n", writes);
 }
 
-LightBuffers make_light_buffers(const gl::Context& gl) {
+base::Result<LightBuffers> make_light_buffers(const gl::Context& gl) {
     LightBuffers out;
-    const std::array<std::byte, 48> nothing{};
+    const std::array<std::byte, light_texels * sizeof(math::Vec4)> nothing{};
     out.lights = gl::make_buffer(gl, nothing);
     out.tiles = gl::make_buffer(gl, nothing);
     out.indices = gl::make_buffer(gl, nothing);
     out.lights_texture = gl::make_buffer_texture(gl, out.lights, GL_RGBA32F);
     out.tiles_texture = gl::make_buffer_texture(gl, out.tiles, GL_RG32UI);
     out.indices_texture = gl::make_buffer_texture(gl, out.indices, GL_R16UI);
+    const gl::TextureSpec spec{.format = GL_RGBA32F, .size = {brdf::ltc_size, brdf::ltc_size}};
+    auto table = gl::make_texture(gl, spec);
+    if (!table) return tl::unexpected(table.error());
+    out.ltc_table = std::move(*table);
+    gl::upload(gl, out.ltc_table, spec, 0, 0, {GL_RGBA, GL_FLOAT},
+               std::as_bytes(std::span(brdf::ltc_ggx)));
+    out.ltc_sampler = gl::make_sampler(gl, {.min_filter = GL_LINEAR, .mag_filter = GL_LINEAR});
     return out;
 }
 
@@ -92,6 +103,7 @@ void set_shade_samplers(const gl::Context& gl, const gl::Program& program) {
     gl::bind_sampler(gl, program, "light_tiles", tiles_unit);
     gl::bind_sampler(gl, program, "light_indices", indices_unit);
     gl::bind_sampler(gl, program, "light_visibility", visibility_unit);
+    gl::bind_sampler(gl, program, "ltc_table", ltc_unit);
     gl::bind_sampler(gl, program, "indirect_sky", sky_unit);
     gl::bind_sampler(gl, program, "indirect_rest", rest_unit);
     gl::bind_sampler(gl, program, "indirect_specular", specular_unit);
@@ -108,6 +120,8 @@ void bind_shade_textures(const gl::Context& gl, const ShadeInputs& in) {
     gl::bind_texture(gl, lights_unit, GL_TEXTURE_BUFFER, in.lights.lights_texture, nullptr);
     gl::bind_texture(gl, tiles_unit, GL_TEXTURE_BUFFER, in.lights.tiles_texture, nullptr);
     gl::bind_texture(gl, indices_unit, GL_TEXTURE_BUFFER, in.lights.indices_texture, nullptr);
+    if (in.key.area_lights)
+        gl::bind_texture(gl, ltc_unit, GL_TEXTURE_2D, in.lights.ltc_table, &in.lights.ltc_sampler);
     if (in.key.visibility)
         gl::bind_texture(gl, visibility_unit, GL_TEXTURE_BUFFER, in.rays.visibility_texture,
                          nullptr);

@@ -18,6 +18,7 @@ namespace facet::frame {
 struct ShadeKey {
     bool environment = true;
     bool local_lights = false;
+    bool area_lights = false;        ///< some of them have a size
     bool visibility = false;         ///< of lights, and
     bool indirect = false;           ///< indirect light, as rays found them
     bool sample_light = false;       ///< and at this very sample, where that is not enough
@@ -30,8 +31,10 @@ struct ShadeKey {
 struct LightBuffers {
     gl::Buffer lights, tiles, indices;
     gl::Texture lights_texture, tiles_texture, indices_texture;
+    gl::Texture ltc_table;  ///< RGBA32F, brdf/ltc.h
+    gl::Sampler ltc_sampler;
 };
-[[nodiscard]] LightBuffers make_light_buffers(const gl::Context& gl);
+[[nodiscard]] base::Result<LightBuffers> make_light_buffers(const gl::Context& gl);
 void update_lights(const gl::Context& gl, const LightBuffers& buffers, const PackedLights& lights);
 void update_lists(const gl::Context& gl, const LightBuffers& buffers, const LightLists& lists);
 
