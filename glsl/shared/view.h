@@ -17,6 +17,9 @@ struct View {
                  // the indirect light
     vec4 lens;   // xy: place on it in metres; z: radius of its barrel's rim, 0: no vignetting; w:
                  // shift of the rim for each tangent off axis
-    vec4 tangents;   // of the angles to the axis: zw + xy times the pixel from the bottom left
+    vec4 tangents;  // of the angles to the axis: zw + xy times the pixel from the bottom left
+    vec4
+        sun;  // of the environment. xyz: unit, to it; w: cosine of half its width, 2: there is none
+    vec4 sun_nit;    // rgb
     vec4 key_light;  // xyz: metres where w is 1, else the unit direction to it
 };

@@ -164,6 +164,7 @@ base::Result<Explained> explain(const render::Request& request,
                   .scene = session->scene(),
                   .warnings = rendered.warnings,
                   .reads = rendered.reads};
+    if (session->sun()) out.scene.lights.push_back(*session->sun());
     out.exposure = plan->exposure ? *plan->exposure : session->measure_exposure(count);
     if (auto shown = session->display(out.exposure, count); !shown)
         return tl::unexpected(shown.error());

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 namespace facet::frame {
@@ -115,6 +116,13 @@ void Frame::set_view(const gl::Context& gl, const FrameInputs& in,
     const EnvironmentMaps& e = in.environment;
     view.environment = {e.last_level, e.unit_nit, 0.0F, 0.0F};
     view.key_light = in.key_light.place;
+    view.sun = {0.0F, 0.0F, 0.0F, 2.0F};
+    if (e.sun) {
+        const float cosine = std::cos(0.5F * e.sun->angle_rad);
+        view.sun = {-e.sun->direction, cosine};
+        const float disc_sr = 2.0F * math::pi * (1.0F - cosine);
+        view.sun_nit = {e.sun->color * (e.sun->intensity / disc_sr), 0.0F};
+    }
     view.background.x = in.background.blur * e.last_level;
     gl::update_buffer(gl, view_block_, std::as_bytes(std::span(&view, 1)));
     gl.api().BindBufferBase(GL_UNIFORM_BUFFER, view_binding, view_block_.name());

@@ -10,6 +10,7 @@
 #include "math/color.h"
 #include "render/rays.h"
 #include "render/stopwatch.h"
+#include "scene/sun.h"
 
 #include <algorithm>
 #include <chrono>
@@ -78,17 +79,22 @@ base::Status Session::upload_environment(base::Warnings& warnings) {
     }
     const brdf::AlbedoTable table = brdf::albedo_table(plan_.brdf);
     base::Warnings own;
-    auto maps = frame::upload_environment(*gl_, job_->environment,
-                                          {settings_.env_rotation, settings_.env_intensity},
-                                          table.texels, table.size, *pool_, own);
+    scene::SplitEnvironment split = scene::split_sun(job_->environment);
+    const frame::EnvironmentSettings turned{settings_.env_rotation, settings_.env_intensity};
+    auto maps =
+        frame::upload_environment(*gl_, split.rest, turned, table.texels, table.size, *pool_, own);
     if (!maps) return tl::unexpected(maps.error());
+    if (split.sun && turned.intensity > 0.0F)
+        maps->sun = scene::turned_sun(*split.sun, turned.rotation_deg, turned.intensity);
     warnings.insert(warnings.end(), own.begin(), own.end());
-    baked_.insert(baked_.begin(), {.latlong = job_->environment.latlong,
-                                   .brdf = plan_.brdf,
-                                   .rotation_deg = settings_.env_rotation,
-                                   .intensity = settings_.env_intensity,
-                                   .maps = std::move(*maps),
-                                   .warnings = std::move(own)});
+    baked_.insert(baked_.begin(),
+                  {.latlong = job_->environment.latlong,
+                   .rest = std::make_shared<scene::Environment>(std::move(split.rest)),
+                   .brdf = plan_.brdf,
+                   .rotation_deg = turned.rotation_deg,
+                   .intensity = turned.intensity,
+                   .maps = std::move(*maps),
+                   .warnings = std::move(own)});
     if (baked_.size() > most_baked) baked_.pop_back();
     return {};
 }
@@ -157,11 +163,12 @@ base::Status Session::make_rays() {
     if (!plan_.rays.any() || rays_) return {};
     if (!tracer_) {
         auto made = trace::Tracer::create({.scene = job_->scene,
-                                           .environment = job_->environment,
+                                           .environment = *baked_.front().rest,
                                            .camera = job_->camera,
                                            .env_rotation_deg = settings_.env_rotation,
                                            .env_intensity = settings_.env_intensity,
-                                           .brdf = plan_.brdf},
+                                           .brdf = plan_.brdf,
+                                           .sun = sun()},
                                           plan_.limits, *pool_);
         if (!made) return tl::unexpected(made.error());
         tracer_ = std::make_unique<trace::Tracer>(std::move(*made));
@@ -283,10 +290,15 @@ void Session::lay_over_background(image::Image& radiance, double exposure) const
 
 void Session::set_lights(std::span<const scene::Light> lights) {
     job_->scene.lights = std::vector<scene::Light>(lights.begin(), lights.end());
-    lights_ = std::make_unique<frame::PackedLights>(frame::pack_lights(job_->scene.lights, false));
-    ray_lights_ =
-        std::make_unique<frame::PackedLights>(frame::pack_lights(job_->scene.lights, true));
     key_light_.reset();
+    pack_lights();
+}
+
+void Session::pack_lights() {
+    std::vector<scene::Light> lights = job_->scene.lights;
+    if (sun()) lights.push_back(*sun());
+    lights_ = std::make_unique<frame::PackedLights>(frame::pack_lights(lights, false));
+    ray_lights_ = std::make_unique<frame::PackedLights>(frame::pack_lights(lights, true));
     forget_rays();
 }
 

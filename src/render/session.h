@@ -91,6 +91,8 @@ public:
     [[nodiscard]] const scene::Scene& scene() const { return job_->scene; }
     [[nodiscard]] const Job& job() const { return *job_; }
     [[nodiscard]] const Plan& plan() const { return plan_; }
+    /// What shines as the sun of the environment, apart from the rest of it.
+    [[nodiscard]] const std::optional<scene::Light>& sun() const { return baked_.front().maps.sun; }
     /// Replaces the scene's lights from the next frame on.
     void set_lights(std::span<const scene::Light> lights);
     /// display() of a picture that comes from elsewhere: f32 [height, width, 4], nit, associated
@@ -117,6 +119,7 @@ private:
     [[nodiscard]] frame::FrameSpec frame_spec() const;
     /// The parts of the upload; each from job_, settings_ and plan_.
     [[nodiscard]] base::Status upload_environment(base::Warnings& warnings);
+    void pack_lights();
     [[nodiscard]] base::Status make_frame();
     /// Sorts the triangles for rays, where the plan wants some and that is not done.
     [[nodiscard]] base::Status make_rays();
@@ -131,6 +134,7 @@ private:
     /// An environment on the GL, and what it was made from.
     struct Baked {
         std::shared_ptr<const image::Image> latlong;
+        std::shared_ptr<const scene::Environment> rest;  ///< without the sun, which `maps` names
         tables::BrdfChoice brdf;
         float rotation_deg = 0.0F;
         float intensity = 1.0F;

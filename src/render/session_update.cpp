@@ -58,8 +58,10 @@ base::Status Session::change(const Settings& settings, const Plan& plan, base::W
         if (auto s = aim_camera(settings, *job_); !s) return s;
     if (new_environment)
         if (auto s = load_environment(settings, plan, *pool_, assets_, *job_); !s) return s;
-    if (new_brdf || new_light)
+    if (new_brdf || new_light) {
         if (auto s = upload_environment(warnings); !s) return s;
+        pack_lights();
+    }
     if (new_brdf) return make_frame();
     if (targets_differ(frame_spec(), frame_->spec())) return frame_->resize(*gl_, frame_spec());
     return {};

@@ -33,11 +33,13 @@ Vec3 area_normal(const scene::Scene& scene, std::uint32_t instance, std::uint32_
 
 }  // namespace
 
-Lights::Lights(const scene::Scene& scene, const Textures& textures)
+Lights::Lights(const scene::Scene& scene, const Textures& textures, const Light* sun)
     : scene_(&scene), textures_(&textures) {
-    for (const Light& light : scene.lights) {
-        if (light.stands_in) continue;  // the mesh that it stands in for is drawn from itself
-        lights_.push_back(light);
+    // The mesh that a light stands in for is drawn from itself.
+    for (const Light& light : scene.lights)
+        if (!light.stands_in) lights_.push_back(light);
+    if (sun != nullptr) lights_.push_back(*sun);
+    for (const Light& light : lights_) {
         axes_.push_back(scene::axes_of(light));
         if (is_sized(light)) ++sized_count_;
     }

@@ -23,7 +23,8 @@ namespace facet::trace {
 class Lights {
 public:
     /// Everything outlives this.
-    Lights(const scene::Scene& scene, const Textures& textures);
+    /// `sun`: one more light, or null.
+    Lights(const scene::Scene& scene, const Textures& textures, const scene::Light* sun = nullptr);
     /// Listed lights, and one for all meshes that emit.
     [[nodiscard]] std::size_t count() const { return lights_.size() + (emitters_.empty() ? 0 : 1); }
 

@@ -27,7 +27,11 @@ struct World {
     float blur =
         0.0F;  ///< of the environment there: a GGX lobe of this roughness, as the rasteriser's
     std::uint32_t bounce_limit = 64;
-    scene::KeyLight key_light{};  ///< for AOVs that are terms of the BRDF
+    scene::KeyLight key_light{};        ///< for AOVs that are terms of the BRDF
+    const scene::Light* sun = nullptr;  ///< behind the scene's lights
+    [[nodiscard]] const scene::Light& light(std::size_t index) const {
+        return index < scene.lights.size() ? scene.lights[index] : *sun;
+    }
 };
 
 /// What one ray stands for: its width at its origin in metres, and how much wider it gets per

@@ -138,7 +138,7 @@ struct Tracer::Impl {
         : inputs(inputs_),
           textures(Textures::build(inputs.scene, pool)),
           frames(instance_frames(inputs.scene)),
-          lights(inputs.scene, textures),
+          lights(inputs.scene, textures, inputs.sun ? &*inputs.sun : nullptr),
           environment(*inputs.environment.latlong, inputs.env_rotation_deg, inputs.env_intensity,
                       pool),
           model(inputs.brdf) {}
@@ -163,7 +163,8 @@ struct Tracer::Impl {
                 .shows_environment = inputs.shows_environment,
                 .blur = inputs.background_blur,
                 .bounce_limit = bounces,
-                .key_light = inputs.key_light};
+                .key_light = inputs.key_light,
+                .sun = inputs.sun ? &*inputs.sun : nullptr};
     }
 };
 

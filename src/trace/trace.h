@@ -33,7 +33,8 @@ struct TraceInputs {
     float background_blur =
         0.0F;  ///< of the environment shown: roughness of the lobe it is seen through, [0, 1]
     tables::BrdfChoice brdf;
-    scene::KeyLight key_light{};  ///< for AOVs that are terms of the BRDF
+    scene::KeyLight key_light{};                     ///< for AOVs that are terms of the BRDF
+    std::optional<scene::Light> sun = std::nullopt;  ///< one more light, behind the scene's
 };
 
 struct TraceSettings {

@@ -43,7 +43,7 @@ std::vector<std::uint8_t> light_visibility(const World& world, const Seen& seen,
             Sequence sequence(seen.number_of(x, y), sample.frame, sample.seed);
             for (std::size_t i = 0; i < std::min(choice.size(), slots); ++i)
                 out[i * pixels + at] = static_cast<std::uint8_t>(std::lround(
-                    255.0F * visible(world, surface, world.scene.lights[choice[i]], sequence)));
+                    255.0F * visible(world, surface, world.light(choice[i]), sequence)));
         });
     return out;
 }

@@ -60,6 +60,10 @@ void add_emission(vec3 base_color, float unlit, vec3 emissive_nit) {
 
 vec3 irradiance_over_pi(vec3 n) { return textureLod(irradiance_cube, n, 0.0).rgb * view.environment.y; }
 
+#if FACET_LIGHT_PATHS
+bool is_environments = false;  // the light at hand is the environment's sun
+#endif
+
 #ifdef FACET_EXPLAIN
 float explain_distance_m = 0.0;  // to the light at hand; 0: infinitely far
 #endif
@@ -88,8 +92,13 @@ vec3 lit_by(ShadePoint p, BrdfView brdf, vec3 to_light, vec3 illuminance, float 
 #endif
     vec3 arriving = illuminance * (visible * n_dot_l);
 #if FACET_LIGHT_PATHS
-    paths.diffuse_direct += f.diffuse * arriving;
-    paths.specular_direct += f.specular * arriving;
+    if (is_environments) {
+        paths.diffuse_indirect += f.diffuse * arriving;
+        paths.specular_indirect += f.specular * arriving;
+    } else {
+        paths.diffuse_direct += f.diffuse * arriving;
+        paths.specular_direct += f.specular * arriving;
+    }
 #endif
     return (f.diffuse + f.specular) * arriving;
 }
@@ -188,12 +197,18 @@ vec3 shade(ShadePoint p) {
         int texel = int(i) * LIGHT_TEXELS;
         vec3 intensity_lux = texelFetch(lights, texel + 1).rgb;
         vec3 direction = texelFetch(lights, texel + 2).xyz;
+#if FACET_LIGHT_PATHS
+        is_environments = texelFetch(lights, texel + 3).w < 0.0;
+#endif
 #ifdef FACET_EXPLAIN
         explain_light = i;
 #endif
         radiance += lit_by(p, brdf, -direction, light_directional(intensity_lux), light_visible(i));
     }
 #if FACET_LOCAL_LIGHTS
+#if FACET_LIGHT_PATHS
+    is_environments = false;
+#endif
     // A software renderer works on both sides of a branch: lights of a kind have a loop of their own.
     uvec2 tile = uvec2(gl_FragCoord.xy) / TILE_PX;
     uvec2 list = texelFetch(light_tiles, int(tile.y * view.light_counts.z + tile.x)).xy;

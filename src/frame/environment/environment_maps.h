@@ -7,16 +7,19 @@
 #include "frame/environment/cube_mip.h"
 #include "gl/objects.h"
 #include "scene/environment.h"
+#include "scene/scene.h"
 
+#include <optional>
 #include <span>
 #include <vector>
 
 namespace facet::frame {
 
 struct EnvironmentMaps {
-    gl::Texture radiance_cube;    ///< RGBA16F, prefiltered
-    gl::Texture irradiance_cube;  ///< RGBA16F, over pi
-    gl::Texture albedo_table;     ///< RGBA32F, brdf/albedo.h
+    gl::Texture radiance_cube;        ///< RGBA16F, prefiltered
+    gl::Texture irradiance_cube;      ///< RGBA16F, over pi
+    std::optional<scene::Light> sun;  ///< that is not in them
+    gl::Texture albedo_table;         ///< RGBA32F, brdf/albedo.h
     gl::Sampler cube_sampler;
     gl::Sampler table_sampler;
     float last_level = 0.0F;

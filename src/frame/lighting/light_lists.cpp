@@ -38,7 +38,8 @@ void push_area(std::vector<Vec4>& texels, const scene::Light& light) {
         case tables::LightKind::directional:
         case tables::LightKind::point:
         case tables::LightKind::spot:
-            texels.resize(texels.size() + 2, Vec4(0.0F));
+            texels.emplace_back(0.0F, 0.0F, 0.0F, light.of_environment ? -1.0F : 0.0F);
+            texels.emplace_back(0.0F);
             return;
     }
 }

@@ -18,7 +18,8 @@ inline constexpr std::size_t light_texels = 5;  ///< a light; lighting/shade.gls
 /// Lights as the shader reads them, light_texels vec4 each, directional ones first, those with a
 /// size last: (position, 1/range^2), (color * intensity, cone scale), (direction, cone offset), and
 /// for those with a size (half axis, kind of lighting/area.glsl), (half axis, 0): of the rectangle,
-/// the disk or the tube; a ball has its radius in the second.
+/// the disk or the tube; a ball has its radius in the second. The kind of an environment's sun is
+/// -1.
 struct PackedLights {
     std::vector<math::Vec4> texels;
     std::vector<std::size_t> order;  ///< which of the lights each is
