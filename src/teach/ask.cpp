@@ -3,15 +3,18 @@
 #include "teach/ask.h"
 
 #include "base/text.h"
+#include "brdf/camera_terms.h"
 #include "brdf/choice.h"
 #include "brdf/metal_spectra.h"
 #include "brdf/presets.h"
 #include "math/blackbody.h"
+#include "scene/lens.h"
 
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace facet::teach {
 namespace {
@@ -114,6 +117,30 @@ double error_of(Answers& answers, const Ask& ask) {
     return std::sqrt(sum / repetitions) / std::max(truth, 1e-12);
 }
 
+double ev_of(Answers&, const Ask& ask) {
+    return scene::exposure_value(ask.f_number, ask.shutter_s, ask.iso);
+}
+
+double vignetting_of(Answers&, const Ask& ask) {
+    const double tangent =
+        std::sqrt(std::max(0.0, 1.0 - ask.n_dot_v * ask.n_dot_v)) / std::max(ask.n_dot_v, 1e-6);
+    return brdf::CameraTerms<double>{}.natural_vignetting({tangent, 0.0});
+}
+
+/// Thin lens: (f / N) f |s - s_f| / (s (s_f - f)), all in millimetres.
+double blur_of(Answers&, const Ask& ask) {
+    constexpr double mm_per_m = 1000.0;
+    const double s = std::max(ask.distance_m * mm_per_m, 1e-3);
+    const double focus = std::max(ask.focus_m * mm_per_m, ask.focal_mm * 1.001);
+    return ask.focal_mm * ask.focal_mm / ask.f_number * std::fabs(s - focus) /
+           (s * (focus - ask.focal_mm));
+}
+
+/// Of a ball straight above that fills a cone of that half angle: pi sin^2 (Lambert 1760).
+double ball_of(Answers&, const Ask& ask) {
+    return std::numbers::pi * (1.0 - ask.n_dot_v * ask.n_dot_v);
+}
+
 struct Kind {
     AskName name;
     double (*answer)(Answers&, const Ask&);
@@ -147,6 +174,10 @@ constexpr Kind kinds[] = {
     {{"phong", "Phong's lobe, as wide and high as D seen from above, 1/sr"}, phong_of},
     {{"estimate", "Monte Carlo estimate of furnace"}, estimate_of},
     {{"error", "its relative error, root mean square"}, error_of},
+    {{"ev", "exposure value at ISO 100 of f_number, shutter, iso"}, ev_of},
+    {{"vignetting", "natural: cos^4 of the angle theta_v to the axis"}, vignetting_of},
+    {{"blur", "circle of confusion in mm of focal_mm, f_number, focus_m at distance_m"}, blur_of},
+    {{"ball", "lux of a ball of 1 nit above that fills a cone of half angle theta_v"}, ball_of},
 };
 
 const Kind* kind_of(std::string_view name) {
@@ -186,6 +217,12 @@ constexpr Variable variables[] = {
     {"channel", {0, 2}, [](Ask& a, double x) { a.channel = x; }},
     {"kelvin", {1000, 15000}, [](Ask& a, double x) { a.kelvin = x; }},
     {"samples", {1, 65536}, [](Ask& a, double x) { a.samples = x; }},
+    {"f_number", {0.1F, 1000}, [](Ask& a, double x) { a.f_number = x; }},
+    {"shutter", {1e-6F, 3600}, [](Ask& a, double x) { a.shutter_s = x; }},
+    {"iso", {1, 1e6F}, [](Ask& a, double x) { a.iso = x; }},
+    {"focal_mm", {1, 10000}, [](Ask& a, double x) { a.focal_mm = x; }},
+    {"focus_m", {0.001F, 1e6F}, [](Ask& a, double x) { a.focus_m = x; }},
+    {"distance_m", {0.001F, 1e6F}, [](Ask& a, double x) { a.distance_m = x; }},
 };
 
 void read_names(Fields& fields, Ask& ask) {

@@ -31,6 +31,12 @@ struct Ask {
     double channel = 0.0;  ///< 0 red, 1 green, 2 blue
     double kelvin = 6500.0;
     double samples = 16.0;
+    double f_number = 8.0;
+    double shutter_s = 0.01;
+    double iso = 100.0;
+    double focal_mm = 50.0;
+    double focus_m = 2.0;
+    double distance_m = 4.0;
     brdf::Sampler sampler = brdf::Sampler::cosine;
 };
 

@@ -35,7 +35,8 @@ TEST(Lessons, AreThoseOfTheLecture) {
     for (const char* name :
          {"energy", "reflection", "microgeometry", "half-vector", "rendering-equation",
           "lambert-cook-torrance", "distribution", "fresnel", "geometry", "multiscatter",
-          "cook-torrance", "light", "environment", "metal-rough", "maps", "global-illumination"})
+          "cook-torrance", "light", "environment", "metal-rough", "maps", "global-illumination",
+          "shadows", "exposure", "lens"})
         EXPECT_NE(std::ranges::find(names, name), names.end()) << name;
 }
 
