@@ -10,9 +10,10 @@ struct View {
     vec4 forward;            // xyz: unit, where the camera looks; w: unused
     vec4 size_px;            // width, height, 1 / width, 1 / height
     uvec4 light_counts;      // directional lights, all lights, tiles across, unused
-    vec4 environment;        // x: last level of the prefiltered cube; y: nit of its 1
-    vec4 background;         // x: level of the cube that shows; yzw: unused
-    vec4 pixel;              // x: width at the eye in metres, y: growth per metre; zw: unused
+    vec4 environment;  // x: last level of the prefiltered cube that lights; y: nit of its 1; zw: of
+                       // the one behind
+    vec4 background;   // x: level of the cube that shows; yzw: unused
+    vec4 pixel;        // x: width at the eye in metres, y: growth per metre; zw: unused
     uvec4 rays;  // x: pixels a slot of light_visibility, y: slots, z: pixels across, w: stride of
                  // the indirect light
     vec4 lens;   // xy: place on it in metres; z: radius of its barrel's rim, 0: no vignetting; w:
@@ -20,6 +21,9 @@ struct View {
     vec4 tangents;  // of the angles to the axis: zw + xy times the pixel from the bottom left
     vec4
         sun;  // of the environment. xyz: unit, to it; w: cosine of half its width, 2: there is none
-    vec4 sun_nit;    // rgb
+    vec4 sun_nit;  // rgb
+    vec4 box_low;  // xyz: metres, of what a probe shows; w: 1 where there is one
+    vec4 box_high;
+    vec4 box_place;  // xyz: where the probe was
     vec4 key_light;  // xyz: metres where w is 1, else the unit direction to it
 };

@@ -114,7 +114,13 @@ void Frame::set_view(const gl::Context& gl, const FrameInputs& in,
     const math::Extent size = spec_.region.size;
     view.rays = {static_cast<std::uint32_t>(size.pixels()), rays_.slots, size.width, rays_.stride};
     const EnvironmentMaps& e = in.environment;
-    view.environment = {e.last_level, e.unit_nit, 0.0F, 0.0F};
+    const EnvironmentMaps& lit_by = in.probe == nullptr ? e : *in.probe;
+    view.environment = {lit_by.last_level, lit_by.unit_nit, e.last_level, e.unit_nit};
+    if (lit_by.box) {
+        view.box_low = {lit_by.box->low_m, 1.0F};
+        view.box_high = {lit_by.box->high_m, 0.0F};
+        view.box_place = {lit_by.box->place_m, 0.0F};
+    }
     view.key_light = in.key_light.place;
     view.sun = {0.0F, 0.0F, 0.0F, 2.0F};
     if (e.sun) {
@@ -130,7 +136,7 @@ void Frame::set_view(const gl::Context& gl, const FrameInputs& in,
 
 ShadeKey Frame::upload_lights(const gl::Context& gl, const FrameInputs& in) {
     update_lights(gl, light_buffers_, in.lights);
-    return {.environment = !in.environment.is_black,
+    return {.environment = in.probe != nullptr || !in.environment.is_black,
             .local_lights = in.lights.count > in.lights.directional_count,
             .area_lights = in.lights.area_count > 0};
 }
@@ -198,7 +204,8 @@ base::Status Frame::draw_light(const gl::Context& gl, const FrameInputs& in,
                                const SampleView& sample,
                                const std::vector<std::size_t>& far_to_near) {
     const shared::View& view = sample.view;
-    ShadeInputs shade{upload_lights(gl, in), in.environment, light_buffers_, rays_};
+    ShadeInputs shade{upload_lights(gl, in), in.probe == nullptr ? in.environment : *in.probe,
+                      light_buffers_, rays_};
     std::optional<LightLists> lists;
     if (shade.key.local_lights) lists = update_light_lists(gl, in, view, true);
     // Rays know the G-buffer's surfaces alone: those that are blended are lit as if in the open.

@@ -37,8 +37,9 @@ struct FrameInputs {
     const PackedLights& lights;
     const scene::Camera& camera;
     const Background& background;
-    scene::KeyLight key_light{};  ///< for AOVs that are terms of the BRDF
-    Rays* rays = nullptr;         ///< finds what is visible, where the frame is made for that
+    scene::KeyLight key_light{};             ///< for AOVs that are terms of the BRDF
+    const EnvironmentMaps* probe = nullptr;  ///< lights in the environment's place
+    Rays* rays = nullptr;  ///< finds what is visible, where the frame is made for that
 };
 
 /// Milliseconds a pass took, each waited for; asked for by benchmarks only.

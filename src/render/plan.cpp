@@ -216,9 +216,9 @@ base::Status check_memory(const tables::Settings& settings, Plan& plan) {
 
 Result<Plan> make_plan(const tables::Settings& settings) {
     Plan plan;
-    for (const auto step :
-         {plan_size, plan_quality, plan_shadows, plan_camera, plan_background, plan_exposure,
-          plan_gamut, plan_aovs, plan_reference, plan_resampling, plan_machine, check_memory})
+    for (const auto step : {plan_size, plan_quality, plan_shadows, plan_camera, plan_background,
+                            plan_exposure, plan_probe, plan_gamut, plan_aovs, plan_reference,
+                            plan_resampling, plan_machine, check_memory})
         if (auto status = step(settings, plan); !status) return tl::unexpected(status.error());
     auto brdf = brdf::parse_choice(settings.brdf, brdf::Use::render);
     if (!brdf) return tl::unexpected(base::in_file(brdf.error(), "--brdf"));

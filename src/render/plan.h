@@ -38,6 +38,8 @@ struct Plan {
     tables::Tonemap tonemap = tables::Tonemap::pbr_neutral;
     tables::Gamut gamut = tables::Gamut::srgb;
     std::optional<float> white_balance_k;  ///< light of that temperature shows white
+    bool has_probe = false;
+    std::optional<math::Vec3> probe_m;  ///< none: the middle of the scene
     bool is_panorama = false;
     bool is_resampled = false;  ///< the rasteriser's flat views are not the picture
     tables::BrdfChoice brdf;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/plan_parts.h"
 #include "scene/lens.h"
+#include "scene/spec.h"
 
 #include <algorithm>
 #include <array>
@@ -80,6 +81,19 @@ base::Status plan_exposure(const tables::Settings& settings, Plan& plan) {
         return usage("--exposure", "not a factor above 0 or auto", settings.exposure,
                      "for example 1");
     plan.exposure = *factor;
+    return {};
+}
+
+base::Status plan_probe(const tables::Settings& settings, Plan& plan) {
+    if (settings.probe.empty()) return {};
+    plan.has_probe = true;
+    if (settings.probe == "auto") return {};
+    constexpr tables::Range range{-1e9, 1e9};
+    const auto place = scene::parse_vector("place", settings.probe, range);
+    if (!place)
+        return usage("--probe", "neither auto nor x y z in metres", settings.probe,
+                     "for example \"0 1 0\"");
+    plan.probe_m = *place;
     return {};
 }
 

@@ -39,6 +39,7 @@ template <class Rows>
 /// Errors of all: usage, naming the option.
 [[nodiscard]] base::Status plan_camera(const tables::Settings& settings, Plan& plan);
 [[nodiscard]] base::Status plan_exposure(const tables::Settings& settings, Plan& plan);
+[[nodiscard]] base::Status plan_probe(const tables::Settings& settings, Plan& plan);
 [[nodiscard]] base::Status plan_gamut(const tables::Settings& settings, Plan& plan);
 /// After all that it depends on. Errors: feature_missing too.
 [[nodiscard]] base::Status plan_resampling(const tables::Settings& settings, Plan& plan);

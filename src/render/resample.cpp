@@ -149,10 +149,10 @@ image::Image bent(const FlatView& view, const scene::Camera& camera, const Plan&
     });
 }
 
-image::Image panorama(const std::vector<FlatView>& views, const Plan& plan,
+image::Image panorama(const std::vector<FlatView>& views, Extent size, const frame::Region& region,
                       base::ThreadPool& pool) {
-    const Vec2 picture(plan.picture.width, plan.picture.height);
-    return resampled(plan.region, pool, [&](Vec2 at_px) {
+    const Vec2 picture(size.width, size.height);
+    return resampled(region, pool, [&](Vec2 at_px) {
         const Vec3 direction = scene::panorama_direction(at_px / picture);
         const FlatView& view = views[face_of(direction)];
         return texel(view.radiance, view.place(view.view_from_camera * direction));
@@ -187,8 +187,23 @@ base::Result<Resampled> draw_resampled(Session& session, base::ThreadPool& pool)
     if (auto s = session.look(camera, plan.region, plan.picture); !s)
         return tl::unexpected(s.error());
     return Resampled{
-        plan.is_panorama ? panorama(views, plan, pool) : bent(views.front(), camera, plan, pool),
+        plan.is_panorama ? panorama(views, plan.picture, plan.region, pool)
+                         : bent(views.front(), camera, plan, pool),
         plan.exposure ? *plan.exposure : frame::auto_exposure(radiance, depth, 1, pool)};
+}
+
+base::Result<image::Image> draw_around(Session& session, const scene::Camera& camera, Extent size,
+                                       std::uint32_t samples, base::ThreadPool& pool) {
+    std::vector<FlatView> views = cube_views(camera, size);
+    for (FlatView& view : views) {
+        if (auto s = session.look(view.camera, {0, 0, view.size}); !s)
+            return tl::unexpected(s.error());
+        session.begin_picture();
+        for (std::uint32_t i = 0; i < samples; ++i)
+            if (auto s = session.draw(i, samples); !s) return tl::unexpected(s.error());
+        view.radiance = session.read_mean(samples);
+    }
+    return panorama(views, size, {0, 0, size}, pool);
 }
 
 }  // namespace facet::render

@@ -4,6 +4,7 @@
 
 #include "base/result.h"
 #include "image/image.h"
+#include "scene/scene.h"
 
 namespace facet::base {
 class ThreadPool;
@@ -20,5 +21,10 @@ struct Resampled {
 /// The session draws views of its own meanwhile, and is as it was afterwards. Errors: as
 /// Session::draw().
 [[nodiscard]] base::Result<Resampled> draw_resampled(Session& session, base::ThreadPool& pool);
+
+/// All that is seen around a camera: f32 [size.height, size.width, 4], the middle straight ahead.
+[[nodiscard]] base::Result<image::Image> draw_around(Session& session, const scene::Camera& camera,
+                                                     math::Extent size, std::uint32_t samples,
+                                                     base::ThreadPool& pool);
 
 }  // namespace facet::render

@@ -140,6 +140,7 @@ frame::FrameInputs Session::inputs(const scene::KeyLight& key, bool with_rays) c
             job_->camera,
             plan_.background,
             key,
+            has_rays ? nullptr : probe_maps_.get(),
             has_rays ? rays_.get() : nullptr};
 }
 
@@ -154,6 +155,7 @@ void Session::forget_indirect() {
 
 void Session::forget_rays() {
     forget_indirect();
+    probe_maps_.reset();
     rays_.reset();
     tracer_.reset();
 }
@@ -215,6 +217,8 @@ base::Status Session::draw(std::uint32_t index, std::uint32_t count, frame::Pass
         if (asked_) forget_indirect();
         if (auto made = make_rays(); !made) return made;
     }
+    if (plan_.has_probe && !plan_.rays.any() && !probe_maps_)
+        if (auto captured = capture_probe(); !captured) return captured;
     const scene::KeyLight key = key_light_for(plan_.aovs);
     const frame::FrameInputs in = inputs(key, with_rays);
     if (index == 0 && with_rays && !has_indirect_)

@@ -120,6 +120,8 @@ private:
     /// The parts of the upload; each from job_, settings_ and plan_.
     [[nodiscard]] base::Status upload_environment(base::Warnings& warnings);
     void pack_lights();
+    /// Light of the scene at the plan's probe: `probe_maps_`.
+    [[nodiscard]] base::Status capture_probe();
     [[nodiscard]] base::Status make_frame();
     /// Sorts the triangles for rays, where the plan wants some and that is not done.
     [[nodiscard]] base::Status make_rays();
@@ -158,6 +160,8 @@ private:
     std::unique_ptr<TracedRays> rays_;                 ///< likewise
     std::unique_ptr<AskedRays> asked_;                 ///< running, or done and not taken
     bool has_indirect_ = false;                        ///< taken
+    std::unique_ptr<frame::EnvironmentMaps>
+        probe_maps_;  ///< captured at need, until the scene changes
     std::optional<frame::Frame> frame_;
     std::optional<frame::Frame> probe_;          ///< made at first need
     std::optional<frame::Explainer> explainer_;  ///< likewise

@@ -50,7 +50,8 @@ base::Status Session::change(const Settings& settings, const Plan& plan, base::W
     const bool new_environment = settings.env != before.env;
     const bool new_light = new_environment || settings.env_rotation != before.env_rotation ||
                            settings.env_intensity != before.env_intensity;
-    if (edits_differ(settings, before) || new_brdf || new_light) forget_rays();
+    if (edits_differ(settings, before) || new_brdf || new_light || settings.probe != before.probe)
+        forget_rays();
     if (!(plan.rays == plan_before.rays) || settings.seed != before.seed) rays_.reset();
     if (edits_differ(settings, before) || new_filtering)
         if (auto s = change_scene(settings, plan); !s) return s;

@@ -16,7 +16,7 @@ using math::Vec4;
 
 /// Places are gathered in squares of this many, which see the same triangles.
 constexpr std::uint32_t tile_places = 16;
-constexpr std::uint32_t smooth_passes = 4;
+constexpr std::uint32_t smooth_passes = 5;
 /// Draws of the open sky at a place: they need no ray.
 constexpr std::uint32_t open_draws = 16;
 

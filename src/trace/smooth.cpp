@@ -18,7 +18,7 @@ constexpr std::array<float, 3> spline = {3.0F / 8.0F, 1.0F / 4.0F, 1.0F / 16.0F}
 /// Normals this far apart (1 - cosine of 30 degrees) share no diffuse light.
 constexpr float diffuse_bend = 0.134F;
 /// Standard errors that two means may differ by and still be of one surface's even light.
-constexpr float errors_apart = 4.0F;
+constexpr float errors_apart = 8.0F;
 
 /// 1 at 0, falling to 0 at 1, without an exponential.
 float falling(float x) {

@@ -11,7 +11,7 @@ in vec3 direction;
 layout(location = 0) out vec4 out_radiance;
 
 void main() {
-    out_radiance = vec4(textureLod(radiance_cube, direction, view.background.x).rgb * view.environment.y, 1.0);
+    out_radiance = vec4(textureLod(radiance_cube, direction, view.background.x).rgb * view.environment.w, 1.0);
     // A blurred sun would be a faint glow: it is left out.
     if (view.background.x == 0.0 && dot(normalize(direction), view.sun.xyz) > view.sun.w)
         out_radiance.rgb += view.sun_nit.rgb;

@@ -64,6 +64,17 @@ vec3 irradiance_over_pi(vec3 n) { return textureLod(irradiance_cube, n, 0.0).rgb
 bool is_environments = false;  // the light at hand is the environment's sun
 #endif
 
+// Where a probe sees what a surface mirrors, if that stands on the sides of the box (Lagarde & Zanuttini 2012, "Local
+// Image-Based Lighting with Parallax-Corrected Cubemaps"); the direction itself without a probe, or from outside.
+vec3 in_box(vec3 position_m, vec3 direction) {
+    bool inside = all(greaterThan(position_m, view.box_low.xyz - 1e-3)) && all(lessThan(position_m, view.box_high.xyz + 1e-3));
+    if (view.box_low.w < 0.5 || !inside) return direction;
+    vec3 safe = mix(direction, vec3(1e-6), lessThan(abs(direction), vec3(1e-6)));
+    vec3 way = max((view.box_low.xyz - position_m) / safe, (view.box_high.xyz - position_m) / safe);
+    float distance_m = max(min(way.x, min(way.y, way.z)), 0.0);
+    return position_m + direction * distance_m - view.box_place.xyz;
+}
+
 #ifdef FACET_EXPLAIN
 float explain_distance_m = 0.0;  // to the light at hand; 0: infinitely far
 #endif
@@ -182,7 +193,7 @@ vec3 shade(ShadePoint p) {
     BrdfValue w = brdf_environment(brdf);
     vec3 mirrored = reflect(-p.to_eye, p.normal);
     float level = p.roughness * view.environment.x;
-    vec3 prefiltered = textureLod(radiance_cube, mirrored, level).rgb * view.environment.y;
+    vec3 prefiltered = textureLod(radiance_cube, in_box(p.position_m, mirrored), level).rgb * view.environment.y;
     radiance = (w.diffuse * irradiance_over_pi(p.normal) + w.specular * prefiltered) * p.ao;
 #ifdef FACET_EXPLAIN
     explained.irradiance = vec4(irradiance_over_pi(p.normal), 0.0);

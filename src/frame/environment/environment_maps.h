@@ -19,7 +19,11 @@ struct EnvironmentMaps {
     gl::Texture radiance_cube;        ///< RGBA16F, prefiltered
     gl::Texture irradiance_cube;      ///< RGBA16F, over pi
     std::optional<scene::Light> sun;  ///< that is not in them
-    gl::Texture albedo_table;         ///< RGBA32F, brdf/albedo.h
+    struct Box {
+        math::Vec3 low_m, high_m, place_m;
+    };
+    std::optional<Box> box;    ///< what they show stands on its sides, seen from a place in it
+    gl::Texture albedo_table;  ///< RGBA32F, brdf/albedo.h
     gl::Sampler cube_sampler;
     gl::Sampler table_sampler;
     float last_level = 0.0F;
