@@ -13,6 +13,8 @@ constexpr math::Extent probe_size{512, 256};
 constexpr std::uint32_t probe_samples = 2;
 /// Light that surfaces send each other: the second capture sees what the first one lit.
 constexpr int captures = 2;
+/// Where surfaces fill less of what is seen, most of it is far away, and not on the scene's box.
+constexpr double least_covered = 0.5;
 
 /// Radiance of a picture with coverage; nothing where nothing was drawn.
 std::shared_ptr<const image::Image> without_alpha(const image::Image& rgba) {
@@ -51,13 +53,14 @@ base::Status Session::capture_probe() {
             break;
         }
         base::Warnings warnings;  // of light that the picture has anyway
-        auto maps = frame::upload_environment(*gl_, {"probe", without_alpha(*around)}, {},
+        auto maps = frame::upload_environment(*gl_, {"probe", without_alpha(around->radiance)}, {},
                                               table.texels, table.size, *pool_, warnings);
         if (!maps) {
             status = tl::unexpected(maps.error());
             break;
         }
-        maps->box = {bounds.low, bounds.high, place};
+        if (around->covered > least_covered)
+            maps->box = frame::EnvironmentMaps::Box{bounds.low, bounds.high, place};
         probe_maps_ = std::make_unique<frame::EnvironmentMaps>(std::move(*maps));
     }
     baked_.front().maps.sun = sun;

@@ -192,9 +192,10 @@ base::Result<Resampled> draw_resampled(Session& session, base::ThreadPool& pool)
         plan.exposure ? *plan.exposure : frame::auto_exposure(radiance, depth, 1, pool)};
 }
 
-base::Result<image::Image> draw_around(Session& session, const scene::Camera& camera, Extent size,
-                                       std::uint32_t samples, base::ThreadPool& pool) {
+base::Result<Around> draw_around(Session& session, const scene::Camera& camera, Extent size,
+                                 std::uint32_t samples, base::ThreadPool& pool) {
     std::vector<FlatView> views = cube_views(camera, size);
+    Around out;
     for (FlatView& view : views) {
         if (auto s = session.look(view.camera, {0, 0, view.size}); !s)
             return tl::unexpected(s.error());
@@ -202,8 +203,13 @@ base::Result<image::Image> draw_around(Session& session, const scene::Camera& ca
         for (std::uint32_t i = 0; i < samples; ++i)
             if (auto s = session.draw(i, samples); !s) return tl::unexpected(s.error());
         view.radiance = session.read_mean(samples);
+        const std::vector<float> depth = session.read_depth();
+        const auto surfaces = std::ranges::count_if(depth, [](float d) { return d < 1.0F; });
+        out.covered += static_cast<double>(surfaces) /
+                       (static_cast<double>(depth.size()) * static_cast<double>(views.size()));
     }
-    return panorama(views, size, {0, 0, size}, pool);
+    out.radiance = panorama(views, size, {0, 0, size}, pool);
+    return out;
 }
 
 }  // namespace facet::render

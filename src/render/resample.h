@@ -22,9 +22,13 @@ struct Resampled {
 /// Session::draw().
 [[nodiscard]] base::Result<Resampled> draw_resampled(Session& session, base::ThreadPool& pool);
 
-/// All that is seen around a camera: f32 [size.height, size.width, 4], the middle straight ahead.
-[[nodiscard]] base::Result<image::Image> draw_around(Session& session, const scene::Camera& camera,
-                                                     math::Extent size, std::uint32_t samples,
-                                                     base::ThreadPool& pool);
+struct Around {
+    image::Image radiance;  ///< f32 [size.height, size.width, 4], nit, the middle straight ahead
+    double covered = 0.0;   ///< share of it that surfaces fill, about
+};
+/// All that is seen around a camera.
+[[nodiscard]] base::Result<Around> draw_around(Session& session, const scene::Camera& camera,
+                                               math::Extent size, std::uint32_t samples,
+                                               base::ThreadPool& pool);
 
 }  // namespace facet::render

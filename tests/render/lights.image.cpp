@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace facet::render {
 namespace {
 
@@ -75,6 +77,57 @@ TEST(Sun, IsSeenInTheBackground) {
             sums[is_reference ? 1 : 0] += static_cast<double>(values[i + 1]);
     }
     EXPECT_NEAR(sums[0] / sums[1], 1.0, 0.05);
+}
+
+Request probed(const std::string& scene) {
+    Request request{.scene = scene};
+    tables::Settings& s = request.settings;
+    s.size = {80, 60};
+    s.tonemap = "none";
+    s.shadows = "off";
+    s.exposure = "1";
+    return request;
+}
+
+image::Image shown(const Request& request) {
+    base::Log log;
+    auto rendered = render(request, log);
+    if (!rendered) ADD_FAILURE() << base::to_line(rendered.error());
+    return rendered ? std::move(rendered->display) : image::Image{};
+}
+
+// In the middle of a lone ball, whose inside is not seen, a probe sees the environment.
+TEST(Probe, OfAnEmptySceneIsItsEnvironment) {
+    Request request = probed("builtin:ball");
+    request.settings.set = {"material.*.metallic=1", "material.*.roughness=0.3"};
+    const image::Image open = shown(request);
+    request.settings.probe = "auto";
+    const image::Image with_probe = shown(request);
+    const auto a = open.as<std::uint8_t>();
+    const auto b = with_probe.as<std::uint8_t>();
+    ASSERT_EQ(a.size(), b.size());
+    double squares = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        squares += std::pow((static_cast<double>(a[i]) - static_cast<double>(b[i])) / 255.0, 2.0);
+    EXPECT_LT(std::sqrt(squares / static_cast<double>(a.size())), 0.02);
+}
+
+// A mirror in the Cornell box: without a probe it shows the studio, with one the red and the green
+// wall.
+TEST(Probe, OfABoxShowsItsWallsInAMirror) {
+    Request request = probed("builtin:cornell");
+    request.settings.env = "black";
+    request.settings.set = {"material.white.metallic=1", "material.white.roughness=0.1"};
+    const auto red = [](const image::Image& image) {
+        // The back wall's left part.
+        const auto v = image.as<std::uint8_t>();
+        const std::size_t i = (std::size_t{20} * 80 + 26) * 4;
+        return std::pair{v[i], v[i + 1]};
+    };
+    EXPECT_LT(red(shown(request)).first, 40);
+    request.settings.probe = "0 1 0";
+    const auto [r, g] = red(shown(request));
+    EXPECT_GT(r, g + 20) << int(r) << " " << int(g);
 }
 
 }  // namespace

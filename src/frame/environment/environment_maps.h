@@ -19,6 +19,7 @@ struct EnvironmentMaps {
     gl::Texture radiance_cube;        ///< RGBA16F, prefiltered
     gl::Texture irradiance_cube;      ///< RGBA16F, over pi
     std::optional<scene::Light> sun;  ///< that is not in them
+    /// Of the scene around a probe.
     struct Box {
         math::Vec3 low_m, high_m, place_m;
     };
