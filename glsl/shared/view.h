@@ -12,7 +12,8 @@ struct View {
     uvec4 light_counts;      // directional lights, all lights, tiles across, unused
     vec4 environment;  // x: last level of the prefiltered cube that lights; y: nit of its 1; zw: of
                        // the one behind
-    vec4 background;   // x: level of the cube that shows; yzw: unused
+    vec4 background;   // x: level of the cube that shows; y: width of the lobe that blurs it, 0:
+                       // none; z: what makes that lobe's share of the sun from D n.l; w: unused
     vec4 pixel;        // x: width at the eye in metres, y: growth per metre; zw: unused
     uvec4 rays;  // x: pixels a slot of light_visibility, y: slots, z: pixels across, w: stride of
                  // the indirect light

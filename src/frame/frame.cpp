@@ -14,6 +14,24 @@ bool wants(const std::vector<tables::Aov>& aovs, tables::Aov aov) {
     return std::find(aovs.begin(), aovs.end(), aov) != aovs.end();
 }
 
+/// Mean of n.l over the facets of a GGX lobe seen from above: integral of D(h) (n.h) max(n.l, 0),
+/// what the prefiltered cube's weights add up to (frame/environment/prefilter).
+float lobe_cosine(float alpha) {
+    constexpr int steps = 256;
+    double sum = 0.0;
+    for (int i = 0; i < steps; ++i) {
+        // h no further than 45 degrees off; even in tan^2, where D is widest.
+        const double u = (i + 0.5) / steps;
+        const double a2 = static_cast<double>(alpha) * static_cast<double>(alpha);
+        // Share of D (n.h) below this angle: sin^2 / (sin^2 + a^2 cos^2) = u times that of 45
+        // degrees.
+        const double share = u / (1.0 + a2);
+        const double tan2 = a2 * share / (1.0 - share);
+        sum += (1.0 - tan2) / (1.0 + tan2) / steps;  // cos of twice the angle
+    }
+    return static_cast<float>(sum / (1.0 + static_cast<double>(alpha * alpha)));
+}
+
 /// Waits for the GL and adds the time since the last call; does nothing where no times are wanted.
 class Clock {
 public:
@@ -122,14 +140,17 @@ void Frame::set_view(const gl::Context& gl, const FrameInputs& in,
         view.box_place = {lit_by.box->place_m, 0.0F};
     }
     view.key_light = in.key_light.place;
+    view.background.x = in.background.blur * e.last_level;
+    view.background.y = in.background.blur * in.background.blur;
     view.sun = {0.0F, 0.0F, 0.0F, 2.0F};
     if (e.sun) {
         const float cosine = std::cos(0.5F * e.sun->angle_rad);
         view.sun = {-e.sun->direction, cosine};
         const float disc_sr = 2.0F * math::pi * (1.0F - cosine);
         view.sun_nit = {e.sun->color * (e.sun->intensity / disc_sr), 0.0F};
+        if (view.background.y > 0.0F)
+            view.background.z = 0.25F * disc_sr / lobe_cosine(view.background.y);
     }
-    view.background.x = in.background.blur * e.last_level;
     gl::update_buffer(gl, view_block_, std::as_bytes(std::span(&view, 1)));
     gl.api().BindBufferBase(GL_UNIFORM_BUFFER, view_binding, view_block_.name());
 }

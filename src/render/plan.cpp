@@ -193,8 +193,12 @@ constexpr std::uint64_t ray_bytes =
 constexpr std::uint64_t film_bytes =
     96;  // sums, their mean, and its copies for the GL and the file
 
+/// Flat views that a picture is resampled from are finer and wider than it, or several.
+constexpr std::uint64_t resampled_views = 3;
+
 base::Status check_memory(const tables::Settings& settings, Plan& plan) {
-    const std::uint64_t pixels = plan.region.size.pixels();
+    const std::uint64_t pixels =
+        plan.region.size.pixels() * (plan.is_resampled ? resampled_views : 1);
     const std::size_t paths = tables::of_kind(plan.aovs, tables::AovKind::light_path).size();
     const std::uint64_t needed =
         pixels * (frame_bytes + aov_bytes * plan.aovs.size() + path_bytes * paths +
