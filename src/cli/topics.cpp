@@ -93,6 +93,8 @@ std::string cameras() {
            "r, 1 at the corner\n"
            "--white-balance K   light of this temperature shows white; --gamut p3 or rec2020-pq "
            "writes a .png that says so\n"
+           "--tonemap ocio      or ocio:VIEW, ocio:DISPLAY/VIEW: of the OpenColorIO configuration "
+           "that the variable OCIO names\n"
            "facet render a.glb --list cameras  names the cameras of a file\n";
 }
 

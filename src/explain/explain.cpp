@@ -34,6 +34,12 @@ base::Status check(const render::Request& request, const render::Plan& plan,
                            .file = "--aov",
                            .what = "explain writes no pictures",
                            .found = base::join(request.settings.aov, ",")});
+    if (plan.has_ocio)
+        return base::fail({.code = ErrorCode::feature_missing,
+                           .file = "--tonemap",
+                           .what = "explain knows the tone curves of Facet alone",
+                           .found = request.settings.tonemap,
+                           .remedy = "another --tonemap"});
     if (plan.is_resampled)
         return base::fail({.code = ErrorCode::feature_missing,
                            .file = plan.is_panorama ? "--projection" : "--distortion",

@@ -136,4 +136,17 @@ base::Result<base::Bytes> write(const Image& image, const WriteOptions& options)
     return out;
 }
 
+base::Status show(Image& linear, const std::string& display, const std::string& view) {
+    if (!module()) return tl::unexpected(module().error());
+    const FacetOiioShape shape{linear.size.width, linear.size.height, linear.channels, 2};
+    Message message;
+    if ((*module())->display(&shape, linear.as<float>().data(), display.c_str(), view.c_str(),
+                             message.handle()) == 0)
+        return {};
+    return base::fail({.code = base::ErrorCode::usage,
+                       .what = "OpenColorIO cannot show it",
+                       .found = message.text.data(),
+                       .remedy = "ocio:DISPLAY/VIEW with names of the configuration in OCIO"});
+}
+
 }  // namespace facet::image::oiio

@@ -17,4 +17,9 @@ namespace facet::image::oiio {
                                          const base::Limits& limits);
 [[nodiscard]] base::Result<base::Bytes> write(const Image& image, const WriteOptions& options);
 
+/// Encodes linear Rec.709, f32 [height, width, 4], in place for a display and a view of the
+/// OpenColorIO configuration that the variable OCIO names; empty: its defaults. Alpha stays.
+/// Errors: usage (no such view), feature_missing.
+[[nodiscard]] base::Status show(Image& linear, const std::string& display, const std::string& view);
+
 }  // namespace facet::image::oiio

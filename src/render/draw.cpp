@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/draw.h"
 
+#include "render/ocio.h"
 #include "render/reference.h"
 #include "render/resample.h"
 #include "render/session.h"
@@ -59,6 +60,9 @@ public:
         return {};
     }
     [[nodiscard]] base::Result<image::Image> display(double exposure) const {
+        if (plan_.has_ocio)
+            return ocio_picture(resampled_ ? *resampled_ : session_.read_mean(plan_.sample_count),
+                                exposure, plan_);
         auto shown = resampled_ ? session_.display_picture(*resampled_, exposure)
                                 : session_.display(exposure, plan_.sample_count);
         if (!shown) return tl::unexpected(shown.error());
@@ -112,6 +116,10 @@ base::Status draw_reference(Session& session, const Request& request, const Plan
     session.lay_over_background(reference->aovs, reference->radiance, out.exposure);
     if (request.want_linear) {
         out.layers.push_back(beauty_of(session, std::move(reference->radiance), out.exposure));
+    } else if (plan.has_ocio) {
+        auto shown = ocio_picture(std::move(reference->radiance), out.exposure, plan);
+        if (!shown) return tl::unexpected(shown.error());
+        out.display = std::move(*shown);
     } else {
         if (auto s = session.display_picture(reference->radiance, out.exposure); !s) return s;
         out.display = session.read_display();
@@ -145,6 +153,11 @@ base::Status draw_raster(Session& session, const Request& request, const Plan& p
 base::Status draw(Session& session, const Request& request, const Plan& plan,
                   const DrawTools& tools, Rendered& out) {
     if (plan.exposure) out.exposure = *plan.exposure;
+    // A view that is not there is told of before the work.
+    if (plan.has_ocio && !request.want_linear)
+        if (auto shown = ocio_picture(image::Image({1, 1}, 4, image::Sample::f32), 1.0, plan);
+            !shown)
+            return tl::unexpected(shown.error());
     session.begin_picture();
     auto drawn = plan.reference ? draw_reference(session, request, plan, tools, out)
                                 : draw_raster(session, request, plan, tools, out);

@@ -16,6 +16,7 @@
 #include "tables/tonemaps.h"
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace facet::render {
@@ -36,6 +37,8 @@ struct Plan {
     frame::Background background;
     std::optional<double> exposure;  ///< none: automatic
     tables::Tonemap tonemap = tables::Tonemap::pbr_neutral;
+    bool has_ocio = false;  ///< the display is OpenColorIO's, and no tone curve of ours
+    std::string ocio_display, ocio_view;  ///< empty: the configuration's defaults
     tables::Gamut gamut = tables::Gamut::srgb;
     std::optional<float> white_balance_k;  ///< light of that temperature shows white
     bool has_probe = false;

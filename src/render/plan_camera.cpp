@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <utility>
 
 namespace facet::render {
@@ -23,6 +24,25 @@ base::Status check_panorama(const tables::Settings& settings) {
         if (given)
             return usage(option, "a panorama has no lens", "",
                          "leave it out, or --projection perspective");
+    return {};
+}
+
+/// `ocio`, `ocio:VIEW` or `ocio:DISPLAY/VIEW`.
+base::Status plan_ocio(const tables::Settings& settings, Plan& plan) {
+    const char* const file = std::getenv("OCIO");
+    if (file == nullptr || *file == '\0')
+        return usage("--tonemap", "the variable OCIO names no configuration", settings.tonemap,
+                     "export OCIO=config.ocio");
+    if (settings.gamut != "srgb")
+        return usage("--gamut", "the view of OpenColorIO has its own colours", settings.gamut,
+                     "leave one of them out");
+    plan.has_ocio = true;
+    const std::size_t colon = settings.tonemap.find(':');
+    if (colon == std::string::npos) return {};
+    const std::string name = settings.tonemap.substr(colon + 1);
+    const std::size_t slash = name.find('/');
+    if (slash != std::string::npos) plan.ocio_display = name.substr(0, slash);
+    plan.ocio_view = slash == std::string::npos ? name : name.substr(slash + 1);
     return {};
 }
 
@@ -55,9 +75,13 @@ base::Status plan_camera(const tables::Settings& settings, Plan& plan) {
 
 base::Status plan_exposure(const tables::Settings& settings, Plan& plan) {
     const auto names = keys(tables::tonemaps);
-    const auto tonemap = choose("--tonemap", settings.tonemap, names);
-    if (!tonemap) return tl::unexpected(tonemap.error());
-    plan.tonemap = static_cast<tables::Tonemap>(*tonemap);
+    if (settings.tonemap == "ocio" || settings.tonemap.starts_with("ocio:")) {
+        if (auto planned = plan_ocio(settings, plan); !planned) return planned;
+    } else {
+        const auto tonemap = choose("--tonemap", settings.tonemap, names);
+        if (!tonemap) return tl::unexpected(tonemap.error());
+        plan.tonemap = static_cast<tables::Tonemap>(*tonemap);
+    }
     if (settings.ev && settings.exposure != "auto")
         return usage("--ev", "cannot be given together with --exposure", "",
                      "leave one of them out");

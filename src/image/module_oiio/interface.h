@@ -45,10 +45,14 @@ struct FacetOiioModule {
     int (*write)(const char* format, const FacetOiioShape* shape, const void* pixels,
                  const FacetOiioText* metadata, std::size_t metadata_count, FacetOiioSink sink,
                  FacetOiioMessage message);
+    /// Encodes linear Rec.709, f32, in place for a display and a view of the configuration that the
+    /// variable OCIO names; empty: its defaults.
+    int (*display)(const FacetOiioShape* shape, float* pixels, const char* display,
+                   const char* view, FacetOiioMessage message);
 };
 
 /// Changes whenever a struct above does.
-inline constexpr std::uint32_t facet_oiio_version = 1;
+inline constexpr std::uint32_t facet_oiio_version = 2;
 
 /// The module's one entry point, by its name for dlsym.
 const FacetOiioModule* facet_oiio_module();

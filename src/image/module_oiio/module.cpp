@@ -1,5 +1,6 @@
 // libfacet_oiio.so: pictures through OpenImageIO, for the formats that have no quick path of their
 // own. SPDX-License-Identifier: MIT
+#include "image/module_oiio/color.h"
 #include "image/module_oiio/interface.h"
 
 #include <OpenImageIO/filesystem.h>
@@ -148,7 +149,8 @@ int write(const char* format, const FacetOiioShape* shape, const void* pixels,
     });
 }
 
-const FacetOiioModule module_table{facet_oiio_version, read_shape, read_pixels, write};
+const FacetOiioModule module_table{facet_oiio_version, read_shape, read_pixels, write,
+                                   facet_oiio_display};
 
 }  // namespace
 
