@@ -40,6 +40,24 @@ TEST(Blackbody, RatiosOfChannelsHoldWhereBlueIsOutOfGamut) {
     }
 }
 
+// CIE 1976 u'v', from the table's x and y; where blue is cut there is no such chromaticity to
+// compare.
+TEST(Blackbody, ChromaticityIsThatOfTheTable) {
+    for (const auto& row : rows()) {
+        if (row[5].get<double>() < 0.0) continue;
+        const Vec3 xyz = xyz_from_rec709(blackbody_color(row[0].get<float>()));
+        const auto uv = [](double x, double y) {
+            const double d = -2.0 * x + 12.0 * y + 3.0;
+            return glm::dvec2(4.0 * x / d, 9.0 * y / d);
+        };
+        const auto sum = static_cast<double>(xyz.x + xyz.y + xyz.z);
+        const glm::dvec2 off =
+            uv(static_cast<double>(xyz.x) / sum, static_cast<double>(xyz.y) / sum) -
+            uv(row[1].get<double>(), row[2].get<double>());
+        EXPECT_LT(glm::length(off), 1e-3) << row[0] << " K";
+    }
+}
+
 TEST(Blackbody, LuminanceIsOneAndNoChannelIsNegativeAtEveryTemperature) {
     for (float t = blackbody_min_k; t <= blackbody_max_k; t += 50.0F) {
         const Vec3 color = blackbody_color(t);
