@@ -40,6 +40,15 @@ image::Layer beauty_of(const Session& session, image::Image radiance, double exp
     return {.name = "", .channels = {"R", "G", "B", "A"}, .image = std::move(radiance)};
 }
 
+/// Radiance of a picture of itself, encoded for a screen.
+base::Result<image::Image> displayed(Session& session, image::Image radiance, double exposure,
+                                     const Plan& plan) {
+    if (plan.has_ocio) return ocio_picture(std::move(radiance), exposure, plan);
+    if (auto shown = session.display_picture(radiance, exposure); !shown)
+        return tl::unexpected(shown.error());
+    return session.read_display();
+}
+
 /// The rasteriser's picture: in the session's frame, or resampled from flat views.
 class RasterPicture {
 public:
@@ -60,12 +69,11 @@ public:
         return {};
     }
     [[nodiscard]] base::Result<image::Image> display(double exposure) const {
+        if (resampled_) return displayed(session_, *resampled_, exposure, plan_);
         if (plan_.has_ocio)
-            return ocio_picture(resampled_ ? *resampled_ : session_.read_mean(plan_.sample_count),
-                                exposure, plan_);
-        auto shown = resampled_ ? session_.display_picture(*resampled_, exposure)
-                                : session_.display(exposure, plan_.sample_count);
-        if (!shown) return tl::unexpected(shown.error());
+            return displayed(session_, session_.read_mean(plan_.sample_count), exposure, plan_);
+        if (auto shown = session_.display(exposure, plan_.sample_count); !shown)
+            return tl::unexpected(shown.error());
         return session_.read_display();
     }
     [[nodiscard]] image::Layer beauty(double exposure) const {
@@ -116,13 +124,10 @@ base::Status draw_reference(Session& session, const Request& request, const Plan
     session.lay_over_background(reference->aovs, reference->radiance, out.exposure);
     if (request.want_linear) {
         out.layers.push_back(beauty_of(session, std::move(reference->radiance), out.exposure));
-    } else if (plan.has_ocio) {
-        auto shown = ocio_picture(std::move(reference->radiance), out.exposure, plan);
+    } else {
+        auto shown = displayed(session, std::move(reference->radiance), out.exposure, plan);
         if (!shown) return tl::unexpected(shown.error());
         out.display = std::move(*shown);
-    } else {
-        if (auto s = session.display_picture(reference->radiance, out.exposure); !s) return s;
-        out.display = session.read_display();
     }
     if (request.settings.compare)
         if (auto s = add_comparison(raster, request, plan, out); !s) return s;

@@ -40,7 +40,7 @@ struct Plan {
     bool has_ocio = false;  ///< the display is OpenColorIO's, and no tone curve of ours
     std::string ocio_display, ocio_view;  ///< empty: the configuration's defaults
     tables::Gamut gamut = tables::Gamut::srgb;
-    std::optional<float> white_balance_k;  ///< light of that temperature shows white
+    math::Mat3 balance{1.0F};  ///< white balance: of linear Rec.709, before the tone curve
     bool has_probe = false;
     std::optional<math::Vec3> probe_m;  ///< none: the middle of the scene
     bool is_panorama = false;

@@ -1,5 +1,7 @@
 // Settings of the camera and of what it makes of light, understood.
 // SPDX-License-Identifier: MIT
+#include "math/blackbody.h"
+#include "math/color.h"
 #include "render/plan_parts.h"
 #include "scene/lens.h"
 #include "scene/spec.h"
@@ -126,7 +128,8 @@ base::Status plan_gamut(const tables::Settings& settings, Plan& plan) {
     const auto gamut = choose("--gamut", settings.gamut, names);
     if (!gamut) return tl::unexpected(gamut.error());
     plan.gamut = static_cast<tables::Gamut>(*gamut);
-    plan.white_balance_k = settings.white_balance;
+    if (settings.white_balance)
+        plan.balance = math::adapted_from(math::blackbody_color(*settings.white_balance));
     if (plan.gamut != tables::Gamut::rec2020_pq) return {};
     if (!settings.depth.empty() && settings.depth != "16")
         return usage("--gamut", "PQ has 16 bits", "--depth " + settings.depth, "--depth 16");

@@ -159,6 +159,16 @@ image::Image panorama(const std::vector<FlatView>& views, Extent size, const fra
     });
 }
 
+/// Fills the view's radiance; its depth is the session's last.
+base::Status draw_view(Session& session, std::uint32_t samples, FlatView& view) {
+    if (auto s = session.look(view.camera, {0, 0, view.size}); !s) return s;
+    session.begin_picture();
+    for (std::uint32_t i = 0; i < samples; ++i)
+        if (auto s = session.draw(i, samples); !s) return s;
+    view.radiance = session.read_mean(samples);
+    return {};
+}
+
 }  // namespace
 
 base::Result<Resampled> draw_resampled(Session& session, base::ThreadPool& pool) {
@@ -172,12 +182,8 @@ base::Result<Resampled> draw_resampled(Session& session, base::ThreadPool& pool)
     std::vector<float> radiance;
     std::vector<float> depth;
     for (FlatView& view : views) {
-        if (auto s = session.look(view.camera, {0, 0, view.size}); !s)
+        if (auto s = draw_view(session, plan.sample_count, view); !s)
             return tl::unexpected(s.error());
-        session.begin_picture();
-        for (std::uint32_t i = 0; i < plan.sample_count; ++i)
-            if (auto s = session.draw(i, plan.sample_count); !s) return tl::unexpected(s.error());
-        view.radiance = session.read_mean(plan.sample_count);
         if (plan.exposure) continue;
         const auto values = view.radiance.as<float>();
         radiance.insert(radiance.end(), values.begin(), values.end());
@@ -197,12 +203,7 @@ base::Result<Around> draw_around(Session& session, const scene::Camera& camera, 
     std::vector<FlatView> views = cube_views(camera, size);
     Around out;
     for (FlatView& view : views) {
-        if (auto s = session.look(view.camera, {0, 0, view.size}); !s)
-            return tl::unexpected(s.error());
-        session.begin_picture();
-        for (std::uint32_t i = 0; i < samples; ++i)
-            if (auto s = session.draw(i, samples); !s) return tl::unexpected(s.error());
-        view.radiance = session.read_mean(samples);
+        if (auto s = draw_view(session, samples, view); !s) return tl::unexpected(s.error());
         const std::vector<float> depth = session.read_depth();
         const auto surfaces = std::ranges::count_if(depth, [](float d) { return d < 1.0F; });
         out.covered += static_cast<double>(surfaces) /

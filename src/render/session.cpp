@@ -6,8 +6,6 @@
 #include "brdf/albedo.h"
 #include "brdf/glsl_text.h"
 #include "frame/output/exposure.h"
-#include "math/blackbody.h"
-#include "math/color.h"
 #include "render/rays.h"
 #include "render/stopwatch.h"
 #include "scene/sun.h"
@@ -265,9 +263,8 @@ frame::DisplaySettings Session::display_settings(double exposure, std::uint32_t 
         .frame_count = count,
         .sample = plan_.display_sample,
         .dither = !plan_.is_draft && plan_.display_sample == image::Sample::u8,
-        .gamut = plan_.gamut};
-    if (plan_.white_balance_k)
-        settings.balance = math::adapted_from(math::blackbody_color(*plan_.white_balance_k));
+        .gamut = plan_.gamut,
+        .balance = plan_.balance};
     if (plan_.background.kind == frame::BackgroundKind::color)
         settings.background = plan_.background.color;
     return settings;

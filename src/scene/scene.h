@@ -121,7 +121,6 @@ struct CameraMotion {
     float turn_rad = 0.0F;   ///< around itself, to the left
     float orbit_rad = 0.0F;  ///< around `pivot_m`, counter-clockwise seen from above
     Vec3 pivot_m{0.0F};
-    bool operator==(const CameraMotion&) const = default;
 };
 
 /// What of a lens lets less light through at its edge: a barrel before it, and the cosines' fourth

@@ -20,25 +20,25 @@ void push_area(std::vector<Vec4>& texels, const scene::Light& light) {
     const float half_width = 0.5F * light.width_m;
     switch (light.kind) {
         case tables::LightKind::rect:
-            texels.emplace_back(axes.x * half_width, 1.0F);
+            texels.emplace_back(axes.x * half_width, packed_kind::rect);
             texels.emplace_back(axes.y * (0.5F * light.height_m), 0.0F);
             return;
         case tables::LightKind::disk:
-            texels.emplace_back(axes.x * light.radius_m, 2.0F);
+            texels.emplace_back(axes.x * light.radius_m, packed_kind::disk);
             texels.emplace_back(axes.y * light.radius_m, 0.0F);
             return;
         case tables::LightKind::sphere:
-            texels.emplace_back(0.0F, 0.0F, 0.0F, 3.0F);
+            texels.emplace_back(0.0F, 0.0F, 0.0F, packed_kind::sphere);
             texels.emplace_back(light.radius_m, 0.0F, 0.0F, 0.0F);
             return;
         case tables::LightKind::tube:
-            texels.emplace_back(axes.x * half_width, 4.0F);
+            texels.emplace_back(axes.x * half_width, packed_kind::tube);
             texels.emplace_back(axes.y * light.radius_m, 0.0F);
             return;
         case tables::LightKind::directional:
         case tables::LightKind::point:
         case tables::LightKind::spot:
-            texels.emplace_back(0.0F, 0.0F, 0.0F, light.of_environment ? -1.0F : 0.0F);
+            texels.emplace_back(0.0F, 0.0F, 0.0F, light.of_environment ? packed_kind::sun : 0.0F);
             texels.emplace_back(0.0F);
             return;
     }
@@ -84,8 +84,7 @@ bool touches(const math::Bounds& box, const Vec4& position_inverse_range2) {
 
 /// Some of the box is on the side that a flat light shines to.
 bool is_before(const math::Bounds& box, const Vec4* light) {
-    constexpr float last_flat_kind = 2.0F;
-    if (light[3].w <= 0.0F || light[3].w > last_flat_kind) return true;
+    if (light[3].w != packed_kind::rect && light[3].w != packed_kind::disk) return true;
     const Vec3 normal(light[2]);
     const Vec3 farthest(normal.x > 0.0F ? box.high.x : box.low.x,
                         normal.y > 0.0F ? box.high.y : box.low.y,

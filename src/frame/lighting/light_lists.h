@@ -15,9 +15,18 @@ inline constexpr std::uint32_t tile_px = 16;  ///< lighting/shade.glsl's TILE_PX
 
 inline constexpr std::size_t light_texels = 5;  ///< a light; lighting/shade.glsl's LIGHT_TEXELS
 
+/// What `kind` says in PackedLights; lighting/area.glsl has the same numbers.
+namespace packed_kind {
+inline constexpr float sun = -1.0F;  ///< an environment's
+inline constexpr float rect = 1.0F;
+inline constexpr float disk = 2.0F;
+inline constexpr float sphere = 3.0F;
+inline constexpr float tube = 4.0F;
+}  // namespace packed_kind
+
 /// Lights as the shader reads them, light_texels vec4 each, directional ones first, those with a
 /// size last: (position, 1/range^2), (color * intensity, cone scale), (direction, cone offset), and
-/// for those with a size (half axis, kind of lighting/area.glsl), (half axis, 0): of the rectangle,
+/// for those with a size (half axis, kind), (half axis, 0): of the rectangle,
 /// the disk or the tube; a ball has its radius in the second. The kind of an environment's sun is
 /// -1.
 struct PackedLights {
