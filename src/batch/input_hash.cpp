@@ -5,6 +5,7 @@
 #include "base/file.h"
 #include "base/hash.h"
 #include "render/job.h"
+#include "scene/light_spec.h"
 #include "tables/settings_text.h"
 
 namespace facet::batch {
@@ -59,6 +60,11 @@ std::string InputHashes::of(const Job& job, const Item& item) {
         hash.add_text(row.key);
         for (const std::string& text : texts) hash.add_text(text);
     }
+    for (const std::string& text : item.settings.light)
+        static_cast<void>(scene::with_light_file(text, [&](const std::string& file) {
+            hash.add_text(of_file(file));
+            return base::Result<std::string>(file);
+        }));
     for (const std::string& text : item.settings.set) hash.add_text(of_file(value_of(text)));
     for (const std::string& text : item.settings.material) hash.add_text(of_file(value_of(text)));
     return hash.hex();

@@ -5,6 +5,7 @@
 #include "base/file.h"
 #include "batch/glob.h"
 #include "scene/environment.h"
+#include "scene/light_spec.h"
 #include "tables/material.h"
 
 #include <algorithm>
@@ -26,6 +27,10 @@ bool is_texture_path(std::string_view path) {
     return path.starts_with("material") &&
            std::ranges::any_of(tables::material_textures,
                                [&](const auto& row) { return row.key == key; });
+}
+
+bool is_light_file_path(std::string_view path) {
+    return path.starts_with("light") && path.ends_with(".file");
 }
 
 }  // namespace
@@ -86,13 +91,24 @@ base::Status JobPaths::resolve(const Given& given, Json& value) const {
         return {};
     };
     if (given.kind == AxisKind::path) {
-        const bool is_file = is_texture_path(given.key) && value.is_string() && value != "none";
+        const bool is_file = (is_texture_path(given.key) || is_light_file_path(given.key)) &&
+                             value.is_string() && value != "none";
         return is_file ? resolve_text(value) : base::Status{};
     }
     if (given.key == "env" && value.is_string()) {
         const auto file = scene::environment_file(value.get<std::string>());
         if (!file) return tl::unexpected(file.error());
         return *file ? resolve_text(value) : base::Status{};
+    }
+    if (given.key == "light") {
+        for (Json& one : value.is_array() ? value : value = Json::array({value})) {
+            if (!one.is_string()) continue;
+            const auto light = scene::with_light_file(
+                one.get<std::string>(), [&](const std::string& file) { return in_job(file); });
+            if (!light) return tl::unexpected(light.error());
+            one = *light;
+        }
+        return {};
     }
     if (given.key != "material") return {};
     for (Json& one : value.is_array() ? value : value = Json::array({value})) {

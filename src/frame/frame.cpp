@@ -159,7 +159,8 @@ ShadeKey Frame::upload_lights(const gl::Context& gl, const FrameInputs& in) {
     update_lights(gl, light_buffers_, in.lights);
     return {.environment = in.probe != nullptr || !in.environment.is_black,
             .local_lights = in.lights.count > in.lights.directional_count,
-            .area_lights = in.lights.area_count > 0};
+            .area_lights = in.lights.area_count > 0,
+            .light_profiles = !in.lights.profiles.empty()};
 }
 
 LightLists Frame::update_light_lists(const gl::Context& gl, const FrameInputs& in,

@@ -4,6 +4,7 @@
 
 #include "brdf/light_terms.h"
 #include "math/color.h"
+#include "scene/light_profile.h"
 
 #include <algorithm>
 #include <cmath>
@@ -68,6 +69,7 @@ float illuminance_lux(const Light& light, const Vec3& position_m) {
     const float range2 = light.range_m * light.range_m;
     const float lux =
         terms.light_point(Vec3(level), distance2, range2 > 0.0F ? 1.0F / range2 : 0.0F).x;
+    if (light.profile) return lux * profile_share(light, -way / std::sqrt(distance2));
     if (light.kind != LightKind::spot) return lux;
     const auto edge =
         terms.spot_edge(std::cos(light.inner_cone_rad), std::cos(light.outer_cone_rad));

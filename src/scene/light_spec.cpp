@@ -4,6 +4,7 @@
 
 #include "base/text.h"
 #include "math/blackbody.h"
+#include "scene/light_profile.h"
 #include "scene/spec.h"
 #include "tables/lights.h"
 
@@ -50,6 +51,7 @@ base::Status set_temperature(Light& light, std::string_view value) {
 /// Lumen of a light of intensity 1.
 float flux_per_intensity(const Light& light) {
     if (const float area = area_m2(light); area > 0.0F) return math::pi * area;  // physics: 10.3
+    if (light.profile) return light.profile->flux_per_candela;
     return light.kind == LightKind::spot ? 2.0F * math::pi * (1.0F - std::cos(light.outer_cone_rad))
                                          : 4.0F * math::pi;
 }
@@ -59,6 +61,17 @@ base::Status set_intensity(Light& light, std::string_view key, std::string_view 
     if (!number) return tl::unexpected(number.error());
     light.intensity = *number;
     if (key == "lumen") light.intensity = *number / flux_per_intensity(light);
+    return {};
+}
+
+/// A file brings its own candela along.
+base::Status set_file(Light& light, std::string_view value) {
+    light.profile.reset();
+    if (value.empty() || value == "none") return {};
+    auto profile = read_profile(std::string(value));
+    if (!profile) return tl::unexpected(profile.error());
+    light.intensity = profile->candela;
+    light.profile = std::make_shared<const LightProfile>(std::move(*profile));
     return {};
 }
 
@@ -163,6 +176,7 @@ base::Status set_unchecked(Light& light, std::string_view key, std::string_view 
     if (key == "name") return set_name(light, value);
     if (key == "color") return set_color(light, value);
     if (key == "temperature") return set_temperature(light, value);
+    if (key == "file") return set_file(light, value);
     if (key == "position") return set_position(light, value);
     if (key == "target") return set_target(light, value);
     if (key == "azimuth" || key == "elevation") return set_angle(light, key, value);
@@ -186,9 +200,9 @@ base::Result<LightKind> parse_kind(std::string_view name) {
 
 /// Values that others are reckoned from come first, whatever their order in the text.
 std::size_t turn_of(const std::string& key) {
-    constexpr std::array<std::string_view, 11> first = {
-        "temperature", "color", "position", "azimuth", "elevation", "target",
-        "inner",       "outer", "radius",   "width",   "height"};
+    constexpr std::array<std::string_view, 12> first = {
+        "file",   "temperature", "color", "position", "azimuth", "elevation",
+        "target", "inner",       "outer", "radius",   "width",   "height"};
     return static_cast<std::size_t>(std::find(first.begin(), first.end(), key) - first.begin());
 }
 
@@ -259,12 +273,35 @@ base::Result<Light> parse_light(const std::string& spec) {
     return light;
 }
 
+base::Result<std::string> with_light_file(
+    const std::string& spec,
+    const std::function<base::Result<std::string>(const std::string&)>& change) {
+    const std::size_t colon = spec.find(':');
+    if (colon == std::string::npos) return spec;
+    std::string out = spec.substr(0, colon);
+    char mark = ':';
+    for (const std::string_view pair : base::split(std::string_view(spec).substr(colon + 1), ',')) {
+        const std::size_t equals = pair.find('=');
+        out += mark;
+        mark = ',';
+        if (equals == std::string_view::npos || base::trimmed(pair.substr(0, equals)) != "file") {
+            out += pair;
+            continue;
+        }
+        const auto changed = change(std::string(base::trimmed(pair.substr(equals + 1))));
+        if (!changed) return changed;
+        out += "file=" + *changed;
+    }
+    return out;
+}
+
 std::string light_key_text(const Light& light, std::string_view key) {
     const auto number = [](float x) { return fmt::format("{}", x); };
     const auto vector = [](const Vec3& v) { return fmt::format("{} {} {}", v.x, v.y, v.z); };
     const Vec3 from = -light.direction;
     if (key == "name") return light.name;
     if (key == "color") return vector(light.color);
+    if (key == "file") return light.profile ? light.profile->file : std::string();
     if (key == "position") return vector(light.position_m);
     if (key == "target") return vector(light.position_m + light.direction);
     if (key == "azimuth") return number(glm::degrees(std::atan2(from.x, from.z)));

@@ -65,6 +65,7 @@ float area_m2(const Light& light) {
         case tables::LightKind::directional:
         case tables::LightKind::point:
         case tables::LightKind::spot:
+        case tables::LightKind::ies:
             break;
     }
     return 0.0F;

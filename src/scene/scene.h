@@ -85,6 +85,8 @@ struct Instance {
     std::uint32_t object_id = 0;  ///< node index + 1; 0 is the background
 };
 
+struct LightProfile;
+
 struct Light {
     std::string name;
     tables::LightKind kind = tables::LightKind::directional;
@@ -93,7 +95,9 @@ struct Light {
     Vec3 position_m{0.0F};
     Vec3 direction{0.0F, 0.0F, -1.0F};  ///< unit; where the light shines to
     float range_m = 0.0F;               ///< 0: no end
-    float angle_rad = 0.0F;             ///< width of a directional light in the sky
+    std::shared_ptr<const LightProfile>
+        profile;             ///< of kind ies; `intensity` is its brightest direction's
+    float angle_rad = 0.0F;  ///< width of a directional light in the sky
     float inner_cone_rad = 0.0F;
     float outer_cone_rad = math::pi / 4.0F;
     float radius_m = 0.1F;  ///< sphere, disk, tube

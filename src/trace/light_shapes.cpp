@@ -3,6 +3,7 @@
 #include "trace/light_shapes.h"
 
 #include "brdf/light_terms.h"
+#include "scene/light_profile.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +24,7 @@ float inverse_range2_of(const Light& light) {
     return light.range_m > 0.0F ? 1.0F / (light.range_m * light.range_m) : 0.0F;
 }
 
-/// Lux at normal incidence from a point or spot light (KHR_lights_punctual, as the rasteriser's
+/// Lux at normal incidence from a light without a size (KHR_lights_punctual, as the rasteriser's
 /// light lists).
 Vec3 illuminance(const Light& light, const Vec3& to_light, float distance2) {
     Terms terms;
@@ -33,6 +34,8 @@ Vec3 illuminance(const Light& light, const Vec3& to_light, float distance2) {
         const Vec2 edge =
             terms.spot_edge(std::cos(light.inner_cone_rad), std::cos(light.outer_cone_rad));
         lux *= terms.light_spot(-math::dot(to_light, light.direction), edge.x, edge.y);
+    } else if (light.profile) {
+        lux *= scene::profile_share(light, -to_light);
     }
     return lux;
 }
@@ -112,6 +115,7 @@ LightSample sample_shape(const Light& light, const scene::LightAxes& axes, const
         case LightKind::directional:
         case LightKind::point:
         case LightKind::spot:
+        case LightKind::ies:
             break;
     }
     return {};
@@ -153,6 +157,7 @@ float hit_shape(const Light& light, const scene::LightAxes& axes, const Vec3& to
         case LightKind::directional:
         case LightKind::point:
         case LightKind::spot:
+        case LightKind::ies:
             return distance;
     }
     if (distance > 0.0F)

@@ -21,7 +21,7 @@ struct LightSample {
 /// A directional light: a direction within the cone that it fills, evenly drawn.
 [[nodiscard]] math::Vec3 directional_way(const scene::Light& light, math::Vec2 u);
 
-/// A point or spot light, seen from where `to_center` begins.
+/// A light at a point, seen from where `to_center` begins.
 [[nodiscard]] LightSample sample_point(const scene::Light& light, const math::Vec3& to_center);
 
 /// A place of the light given from the point that is lit, drawn uniformly over `area_m2` where its

@@ -81,7 +81,7 @@ TEST_F(GlslEs, TakesEveryTermFile) {
         for (const std::string_view file : base::split(term.files, ' '))
             if (!file.empty()) all += "#include \"brdf/" + std::string(file) + ".glsl\"\n";
     for (const char* light :
-         {"across", "directional", "disk", "point", "rect", "sphere", "spot", "tube"})
+         {"across", "directional", "disk", "point", "profile", "rect", "sphere", "spot", "tube"})
         all += "#include \"light/" + std::string(light) + ".glsl\"\n";
     std::set<std::string> seen;
     EXPECT_EQ(complaint(*gl, expanded(all, seen)), "");

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 
 namespace facet::render {
 namespace {
@@ -34,6 +36,31 @@ TEST(LightsWithoutRays, ThoseWithASizeAreAsTheReferenceHasThem) {
         ASSERT_TRUE(rendered) << base::to_line(rendered.error());
         EXPECT_LT(rendered->compared->rmse, 0.02) << light;
     }
+}
+
+// A lamp that is bright aside and dark ahead, other by azimuth; the ball shows all of it.
+TEST(LightProfile, LightsAsTheReferenceHasIt) {
+    const std::filesystem::path file = std::filesystem::path(::testing::TempDir()) / "lamp.ies";
+    std::ofstream(file) << "IESNA:LM-63-2002\nTILT=NONE\n1 -1 1 4 3 1 2 0 0 0\n1 1 0\n"
+                           "0 10 20 90\n0 90 180\n10 90 20 0\n10 40 80 0\n10 20 90 0\n";
+    for (const char* const shadows : {"off", "traced"}) {
+        Request request{.scene = "builtin:ball"};
+        tables::Settings& s = request.settings;
+        s.size = {80, 60};
+        s.env = "black";
+        s.background = "none";
+        s.tonemap = "none";
+        s.exposure = "1";
+        s.shadows = shadows;
+        s.light = {"ies:file=" + file.string() + ",position=1 1 4,target=0 0 0"};
+        s.reference = "64";
+        s.compare = true;
+        base::Log log;
+        const auto rendered = render(request, log);
+        ASSERT_TRUE(rendered) << base::to_line(rendered.error());
+        EXPECT_LT(rendered->compared->rmse, 0.015) << shadows;
+    }
+    std::filesystem::remove(file);
 }
 
 // The rasteriser takes the sun out of the sky, the reference does not.

@@ -10,6 +10,9 @@ uniform samplerCube irradiance_cube;  // over pi
 uniform sampler2D albedo_table;      // A, B of the split sum and average E; see brdf/albedo.h
 uniform samplerBuffer lights;        // LIGHT_TEXELS a light, see frame/lighting/light_lists.h
 const int LIGHT_TEXELS = 5;
+#if FACET_LIGHT_PROFILES
+#include "frame/lighting/profile.glsl"
+#endif
 #if FACET_LOCAL_LIGHTS
 uniform usamplerBuffer light_tiles;    // first, and how many: without a size, and above 16 bits with one
 uniform usamplerBuffer light_indices;
@@ -229,6 +232,9 @@ vec3 shade(ShadePoint p) {
         vec4 direction_offset = texelFetch(lights, light.texel + 2);
         float cone = light_spot(-dot(light.way, direction_offset.xyz), light.color.w, direction_offset.w);
         vec3 illuminance = light_point(light.color.rgb, light.distance2, light.place.w) * cone;
+#if FACET_LIGHT_PROFILES
+        illuminance *= profile_share(light.texel, -light.way, direction_offset.xyz);
+#endif
         radiance += lit_by(p, brdf, light.way, illuminance, light_visible(view.light_counts.x + i));
     }
 #if FACET_AREA_LIGHTS

@@ -3,6 +3,7 @@
 #include "frame/lighting/light_lists.h"
 
 #include "brdf/light_terms.h"
+#include "scene/light_profile.h"
 
 #include <algorithm>
 #include <array>
@@ -38,13 +39,31 @@ void push_area(std::vector<Vec4>& texels, const scene::Light& light) {
         case tables::LightKind::directional:
         case tables::LightKind::point:
         case tables::LightKind::spot:
+        case tables::LightKind::ies:
             texels.emplace_back(0.0F, 0.0F, 0.0F, light.of_environment ? packed_kind::sun : 0.0F);
             texels.emplace_back(0.0F);
             return;
     }
 }
 
-void push(std::vector<Vec4>& texels, const scene::Light& light) {
+/// Its axes, and where its profile is: another lamp of the same file shares it.
+void push_profile(PackedLights& packed, const scene::Light& light) {
+    const std::vector<float>& own = light.profile->shares;
+    std::size_t index = 0;
+    auto at = packed.profiles.begin();
+    while (at != packed.profiles.end() && !std::equal(own.begin(), own.end(), at)) {
+        at += static_cast<std::ptrdiff_t>(own.size());
+        ++index;
+    }
+    if (at == packed.profiles.end())
+        packed.profiles.insert(packed.profiles.end(), own.begin(), own.end());
+    const scene::LightAxes axes = scene::profile_axes(light);
+    packed.texels.emplace_back(axes.x, static_cast<float>(1 + index));
+    packed.texels.emplace_back(axes.y, 0.0F);
+}
+
+void push(PackedLights& packed, const scene::Light& light) {
+    std::vector<Vec4>& texels = packed.texels;
     const float inverse_range2 =
         light.range_m > 0.0F ? 1.0F / (light.range_m * light.range_m) : 0.0F;
     float scale = 0.0F;
@@ -58,7 +77,10 @@ void push(std::vector<Vec4>& texels, const scene::Light& light) {
     texels.emplace_back(light.position_m, inverse_range2);
     texels.emplace_back(light.color * light.intensity, scale);
     texels.emplace_back(light.direction, offset);
-    push_area(texels, light);
+    if (light.profile)
+        push_profile(packed, light);
+    else
+        push_area(texels, light);
 }
 
 /// The box around what a tile shows, in world space.
@@ -134,7 +156,7 @@ PackedLights pack_lights(std::span<const scene::Light> lights, bool with_rays) {
     };
     std::ranges::stable_sort(packed.order, {}, order_of);
     for (const std::size_t index : packed.order) {
-        push(packed.texels, lights[index]);
+        push(packed, lights[index]);
         if (lights[index].kind == tables::LightKind::directional) ++packed.directional_count;
         if (scene::area_m2(lights[index]) > 0.0F) ++packed.area_count;
     }

@@ -27,14 +27,16 @@ inline constexpr float tube = 4.0F;
 /// Lights as the shader reads them, light_texels vec4 each, directional ones first, those with a
 /// size last: (position, 1/range^2), (color * intensity, cone scale), (direction, cone offset), and
 /// for those with a size (half axis, kind), (half axis, 0): of the rectangle,
-/// the disk or the tube; a ball has its radius in the second. The kind of an environment's sun is
-/// -1.
+/// the disk or the tube; a ball has its radius in the second, and a lamp with a profile has its
+/// axes x and y there and, as its kind, 1 and which of `profiles` it is. The kind of an
+/// environment's sun is -1.
 struct PackedLights {
     std::vector<math::Vec4> texels;
     std::vector<std::size_t> order;  ///< which of the lights each is
     std::uint32_t directional_count = 0;
     std::uint32_t count = 0;
     std::uint32_t area_count = 0;  ///< of them have a size
+    std::vector<float> profiles;   ///< scene::LightProfile::shares, one after the other
 };
 /// `with_rays` lights with a size are left to them; so are
 /// those that stand in for a mesh, which is then a light itself.

@@ -25,6 +25,7 @@ enum Unit : GLuint {
     rest_unit,
     specular_unit,
     guide_unit,
+    profiles_unit,
     sample_diffuse_unit,
     sample_specular_unit
 };
@@ -52,9 +53,9 @@ base::Result<gl::Program> make(const gl::Context& gl, const gl::ShaderSources& s
 std::string defines(const ShadeKey& key) {
     std::string text =
         define("ENVIRONMENT", key.environment) + define("LOCAL_LIGHTS", key.local_lights) +
-        define("AREA_LIGHTS", key.area_lights) + define("VISIBILITY", key.visibility) +
-        define("INDIRECT", key.indirect) + define("SAMPLE_LIGHT", key.sample_light) +
-        define("LIGHT_PATHS", !key.paths.empty());
+        define("AREA_LIGHTS", key.area_lights) + define("LIGHT_PROFILES", key.light_profiles) +
+        define("VISIBILITY", key.visibility) + define("INDIRECT", key.indirect) +
+        define("SAMPLE_LIGHT", key.sample_light) + define("LIGHT_PATHS", !key.paths.empty());
     std::string outputs;
     std::string writes;
     for (std::size_t i = 0; i < key.paths.size(); ++i) {
@@ -72,9 +73,11 @@ base::Result<LightBuffers> make_light_buffers(const gl::Context& gl) {
     out.lights = gl::make_buffer(gl, nothing);
     out.tiles = gl::make_buffer(gl, nothing);
     out.indices = gl::make_buffer(gl, nothing);
+    out.profiles = gl::make_buffer(gl, nothing);
     out.lights_texture = gl::make_buffer_texture(gl, out.lights, GL_RGBA32F);
     out.tiles_texture = gl::make_buffer_texture(gl, out.tiles, GL_RG32UI);
     out.indices_texture = gl::make_buffer_texture(gl, out.indices, GL_R16UI);
+    out.profiles_texture = gl::make_buffer_texture(gl, out.profiles, GL_R32F);
     const gl::TextureSpec spec{.format = GL_RGBA32F, .size = {brdf::ltc_size, brdf::ltc_size}};
     auto table = gl::make_texture(gl, spec);
     if (!table) return tl::unexpected(table.error());
@@ -88,6 +91,8 @@ base::Result<LightBuffers> make_light_buffers(const gl::Context& gl) {
 void update_lights(const gl::Context& gl, const LightBuffers& buffers, const PackedLights& lights) {
     if (!lights.texels.empty())
         gl::update_buffer(gl, buffers.lights, std::as_bytes(std::span(lights.texels)));
+    if (!lights.profiles.empty())
+        gl::update_buffer(gl, buffers.profiles, std::as_bytes(std::span(lights.profiles)));
 }
 
 void update_lists(const gl::Context& gl, const LightBuffers& buffers, const LightLists& lists) {
@@ -102,6 +107,7 @@ void set_shade_samplers(const gl::Context& gl, const gl::Program& program) {
     gl::bind_sampler(gl, program, "lights", lights_unit);
     gl::bind_sampler(gl, program, "light_tiles", tiles_unit);
     gl::bind_sampler(gl, program, "light_indices", indices_unit);
+    gl::bind_sampler(gl, program, "light_profiles", profiles_unit);
     gl::bind_sampler(gl, program, "light_visibility", visibility_unit);
     gl::bind_sampler(gl, program, "ltc_table", ltc_unit);
     gl::bind_sampler(gl, program, "indirect_sky", sky_unit);
@@ -120,6 +126,8 @@ void bind_shade_textures(const gl::Context& gl, const ShadeInputs& in) {
     gl::bind_texture(gl, lights_unit, GL_TEXTURE_BUFFER, in.lights.lights_texture, nullptr);
     gl::bind_texture(gl, tiles_unit, GL_TEXTURE_BUFFER, in.lights.tiles_texture, nullptr);
     gl::bind_texture(gl, indices_unit, GL_TEXTURE_BUFFER, in.lights.indices_texture, nullptr);
+    if (in.key.light_profiles)
+        gl::bind_texture(gl, profiles_unit, GL_TEXTURE_BUFFER, in.lights.profiles_texture, nullptr);
     if (in.key.area_lights)
         gl::bind_texture(gl, ltc_unit, GL_TEXTURE_2D, in.lights.ltc_table, &in.lights.ltc_sampler);
     if (in.key.visibility)

@@ -19,6 +19,7 @@ struct ShadeKey {
     bool environment = true;
     bool local_lights = false;
     bool area_lights = false;        ///< some of them have a size
+    bool light_profiles = false;     ///< some of them have a profile
     bool visibility = false;         ///< of lights, and
     bool indirect = false;           ///< indirect light, as rays found them
     bool sample_light = false;       ///< and at this very sample, where that is not enough
@@ -29,8 +30,8 @@ struct ShadeKey {
 
 /// Lights on the GL's side.
 struct LightBuffers {
-    gl::Buffer lights, tiles, indices;
-    gl::Texture lights_texture, tiles_texture, indices_texture;
+    gl::Buffer lights, tiles, indices, profiles;
+    gl::Texture lights_texture, tiles_texture, indices_texture, profiles_texture;
     gl::Texture ltc_table;  ///< RGBA32F, brdf/ltc.h
     gl::Sampler ltc_sampler;
 };

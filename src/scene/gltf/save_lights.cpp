@@ -129,6 +129,11 @@ void save_lights(Document& document, const Scene& original, const Scene& edited,
                 {.where = light.name, .what = "glTF has no lights with a size: left out"});
             continue;
         }
+        if (light.kind == tables::LightKind::ies) {
+            warnings.push_back(
+                {.where = light.name, .what = "glTF has no light profiles: left out"});
+            continue;
+        }
         if (light.angle_rad > 0.0F)
             warnings.push_back(
                 {.where = light.name, .what = "glTF has no width of a light in the sky: left out"});
