@@ -26,5 +26,6 @@ struct View {
     vec4 box_low;  // xyz: metres, of what a probe shows; w: 1 where there is one
     vec4 box_high;
     vec4 box_place;  // xyz: where the probe was
+    vec4 ground;     // x, y, z: metres, its middle; w: its radius
     vec4 key_light;  // xyz: metres where w is 1, else the unit direction to it
 };

@@ -145,6 +145,11 @@ base::Result<Explained> explain(const render::Request& request,
     render::Rendered rendered;
     auto opened = render::open(request, *plan, pool, log, rendered);
     if (!opened) return tl::unexpected(opened.error());
+    if (opened->job.scene.ground) {
+        opened->job.scene.ground.reset();
+        rendered.warnings.push_back(
+            {.where = "--ground", .what = "shadows on the ground are not told of: left out"});
+    }
     auto session = render::Session::create(opened->gl, std::move(opened->job), request.settings,
                                            *plan, pool, rendered.warnings);
     if (!session) return tl::unexpected(session.error());

@@ -140,6 +140,9 @@ void Frame::set_view(const gl::Context& gl, const FrameInputs& in,
         view.box_place = {lit_by.box->place_m, 0.0F};
     }
     view.key_light = in.key_light.place;
+    if (in.ground != nullptr)
+        view.ground = {in.ground->center_m.x, in.ground->height_m, in.ground->center_m.y,
+                       in.ground->radius_m};
     view.background.x = in.background.blur * e.last_level;
     view.background.y = in.background.blur * in.background.blur;
     view.sun = {0.0F, 0.0F, 0.0F, 2.0F};
@@ -218,8 +221,12 @@ base::Status Frame::draw_opaque(const gl::Context& gl, const FrameInputs& in,
                                 const ShadeInputs& shade, const DrawTarget& out,
                                 const gl::Framebuffer* background) {
     if (auto s = lighting_pass_.run(gl, gbuffer_, shade, empty_, out); !s) return s;
-    if (background == nullptr || in.background.kind != BackgroundKind::environment) return {};
-    return background_pass_.run(gl, in.environment, empty_, {*background, out.size});
+    if (background == nullptr) return {};
+    if (in.background.kind == BackgroundKind::environment)
+        if (auto s = background_pass_.run(gl, in.environment, empty_, {*background, out.size}); !s)
+            return s;
+    if (in.ground == nullptr || rays_.stride == 0) return {};
+    return ground_pass_.run(gl, rays_.ground, empty_, {*background, out.size});
 }
 
 base::Status Frame::draw_light(const gl::Context& gl, const FrameInputs& in,

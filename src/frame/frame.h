@@ -4,6 +4,7 @@
 
 #include "frame/aov/aov.h"
 #include "frame/background/background.h"
+#include "frame/background/ground.h"
 #include "frame/blend/blend.h"
 #include "frame/environment/environment_maps.h"
 #include "frame/gbuffer/gbuffer.h"
@@ -40,6 +41,7 @@ struct FrameInputs {
     scene::KeyLight key_light{};             ///< for AOVs that are terms of the BRDF
     const EnvironmentMaps* probe = nullptr;  ///< lights in the environment's place
     Rays* rays = nullptr;  ///< finds what is visible, where the frame is made for that
+    const scene::Ground* ground = nullptr;  ///< catches shadows, where rays find them
 };
 
 /// Milliseconds a pass took, each waited for; asked for by benchmarks only.
@@ -117,6 +119,7 @@ private:
           gbuffer_pass_(sources),
           lighting_pass_(sources),
           background_pass_(sources),
+          ground_pass_(sources),
           blend_pass_(sources),
           aov_pass_(sources),
           display_pass_(sources) {}
@@ -155,6 +158,7 @@ private:
     GBufferPass gbuffer_pass_;
     LightingPass lighting_pass_;
     BackgroundPass background_pass_;
+    GroundPass ground_pass_;
     BlendPass blend_pass_;
     AovPass aov_pass_;
     DisplayPass display_pass_;

@@ -22,7 +22,10 @@ void set_pipeline(const Context& gl, const Pipeline& pipeline) {
     const bool over = pipeline.blend == Blend::over || pipeline.blend == Blend::over_straight;
     const GLenum to = over ? GL_ONE_MINUS_SRC_ALPHA : GL_ONE;
     const GLenum from = pipeline.blend == Blend::over_straight ? GL_SRC_ALPHA : GL_ONE;
-    api.BlendFuncSeparate(from, to, GL_ONE, to);
+    if (pipeline.blend == Blend::multiply)
+        api.BlendFuncSeparate(GL_ZERO, GL_SRC_COLOR, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    else
+        api.BlendFuncSeparate(from, to, GL_ONE, to);
     enable(api, GL_SCISSOR_TEST, pipeline.scissor);
     enable(api, GL_CULL_FACE, pipeline.cull != Cull::none);
     api.CullFace(pipeline.cull == Cull::front ? GL_FRONT : GL_BACK);

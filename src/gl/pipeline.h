@@ -10,8 +10,8 @@
 
 namespace facet::gl {
 
-/// over: associated alpha; over_straight: straight alpha.
-enum class Blend { off, add, over, over_straight };
+/// over: associated alpha; over_straight: straight alpha; multiply: colours, and alpha as over.
+enum class Blend { off, add, over, over_straight, multiply };
 enum class Cull { none, back, front };
 
 struct Pipeline {

@@ -41,6 +41,18 @@ base::Status add_lights(const tables::Settings& settings, scene::Scene& scene) {
     return {};
 }
 
+/// As wide as shadows of a sun five degrees high.
+std::optional<scene::Ground> ground_below(const scene::Scene& scene, const Plan& plan) {
+    if (!plan.has_ground) return std::nullopt;
+    constexpr float diagonals = 12.0F;
+    const math::Bounds bounds = scene.bounds_m();
+    if (bounds.is_empty()) return std::nullopt;
+    const math::Vec3 center = bounds.center();
+    return scene::Ground{.height_m = plan.ground_m.value_or(bounds.low.y),
+                         .radius_m = diagonals * bounds.diagonal(),
+                         .center_m = {center.x, center.z}};
+}
+
 base::Status edit(const tables::Settings& settings, const Plan& plan, scene::Scene& scene) {
     if (auto added = add_lights(settings, scene); !added) return added;
     for (const std::string& text : settings.material)
@@ -97,6 +109,7 @@ scene::LoadOptions load_options(const tables::Settings& settings) {
 
 base::Status apply_edits(const tables::Settings& settings, const Plan& plan, Job& job) {
     scene::Scene& scene = job.scene;
+    scene.ground = ground_below(scene, plan);
     auto materials = std::exchange(scene.materials, job.originals.materials);
     auto lights = std::exchange(scene.lights, job.originals.lights);
     auto edited = edit(settings, plan, scene);
@@ -151,6 +164,10 @@ base::Result<Job> load_job(const Request& request, const Plan& plan, base::Threa
     if (auto s = load_environment(settings, plan, pool, assets, job); !s)
         return tl::unexpected(s.error());
     if (auto s = aim_camera(settings, job); !s) return tl::unexpected(s.error());
+    if (plan.has_ground && !plan.rays.any() && !plan.reference)
+        job.warnings.push_back({.where = "--ground",
+                                .what = "nothing finds the shadows on the ground",
+                                .remedy = "leave --shadows off out"});
     return job;
 }
 

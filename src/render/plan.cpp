@@ -120,6 +120,21 @@ base::Status plan_background(const tables::Settings& settings, Plan& plan) {
                  "env, none, #rrggbb, or blur:X with X in 0..1");
 }
 
+base::Status plan_ground(const tables::Settings& settings, Plan& plan) {
+    const std::string& text = settings.ground;
+    if (text == "off") return {};
+    plan.has_ground = true;
+    if (text == "shadow") return {};
+    if (text.starts_with("shadow:")) {
+        const auto height = base::parse_number(std::string_view(text).substr(7));
+        if (height && std::fabs(*height) <= 1e9) {
+            plan.ground_m = static_cast<float>(*height);
+            return {};
+        }
+    }
+    return usage("--ground", "no such ground", text, "off, shadow, or shadow:Y with Y in metres");
+}
+
 base::Status plan_aovs(const tables::Settings& settings, Plan& plan) {
     const auto names = keys(tables::aovs);
     for (const std::string& name : settings.aov) {
@@ -221,8 +236,8 @@ base::Status check_memory(const tables::Settings& settings, Plan& plan) {
 Result<Plan> make_plan(const tables::Settings& settings) {
     Plan plan;
     for (const auto step : {plan_size, plan_quality, plan_shadows, plan_camera, plan_background,
-                            plan_exposure, plan_probe, plan_gamut, plan_aovs, plan_reference,
-                            plan_resampling, plan_machine, check_memory})
+                            plan_ground, plan_exposure, plan_probe, plan_gamut, plan_aovs,
+                            plan_reference, plan_resampling, plan_machine, check_memory})
         if (auto status = step(settings, plan); !status) return tl::unexpected(status.error());
     auto brdf = brdf::parse_choice(settings.brdf, brdf::Use::render);
     if (!brdf) return tl::unexpected(base::in_file(brdf.error(), "--brdf"));

@@ -41,6 +41,8 @@ struct Plan {
     std::string ocio_display, ocio_view;  ///< empty: the configuration's defaults
     tables::Gamut gamut = tables::Gamut::srgb;
     math::Mat3 balance{1.0F};  ///< white balance: of linear Rec.709, before the tone curve
+    bool has_ground = false;
+    std::optional<float> ground_m;  ///< none: as low as the scene
     bool has_probe = false;
     std::optional<math::Vec3> probe_m;  ///< none: the middle of the scene
     bool is_panorama = false;

@@ -103,8 +103,15 @@ frame::IndirectLight TracedRays::indirect(const frame::EnvironmentMaps& environm
         return frame::prefiltered(environment, direction, roughness);
     };
     indirect_ = scene_.tracer.gather(seen_, gather, pool_);
-    return {indirect_.size, indirect_.stride,   indirect_.sky,
-            indirect_.rest, indirect_.specular, indirect_.guide};
+    ground_ = scene_.tracer.ground(seen_, gather, pool_);
+    return {.size = indirect_.size,
+            .stride = indirect_.stride,
+            .sky = indirect_.sky,
+            .rest = indirect_.rest,
+            .specular = indirect_.specular,
+            .ground_size = ground_.size,
+            .ground = ground_.share,
+            .guide = indirect_.guide};
 }
 
 frame::SampleLight TracedRays::sample_light(std::uint32_t frame) {

@@ -49,6 +49,7 @@ private:
     std::atomic<bool> cancelled_ = false;
     trace::Seen seen_;
     trace::IndirectPixels indirect_;
+    trace::GroundPixels ground_;
     trace::SampleLight sample_light_;
 };
 

@@ -139,7 +139,8 @@ frame::FrameInputs Session::inputs(const scene::KeyLight& key, bool with_rays) c
             plan_.background,
             key,
             has_rays ? nullptr : probe_maps_.get(),
-            has_rays ? rays_.get() : nullptr};
+            has_rays ? rays_.get() : nullptr,
+            job_->scene.ground ? &*job_->scene.ground : nullptr};
 }
 
 void Session::forget_indirect() {

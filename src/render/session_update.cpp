@@ -12,7 +12,7 @@ using tables::Settings;
 
 bool edits_differ(const Settings& a, const Settings& b) {
     return a.light != b.light || a.no_file_lights != b.no_file_lights || a.set != b.set ||
-           a.material != b.material;
+           a.material != b.material || a.ground != b.ground;
 }
 
 bool camera_differs(const Settings& a, const Settings& b) {

@@ -160,6 +160,15 @@ struct SceneImage {
     bool is_added = false;  ///< not the scene's own: read from the file `name` since
 };
 
+/// A level plane that is seen by the shadows on it alone: what shows behind it shines through,
+/// dimmed or lit as the scene dims or lights white ground. Nothing else knows of it.
+struct Ground {
+    float height_m = 0.0F;
+    float radius_m = 0.0F;  ///< around `center_m`; beyond, nothing changes
+    Vec2 center_m{0.0F};    ///< x and z
+    bool operator==(const Ground&) const = default;
+};
+
 struct Scene {
     std::string name;
     std::vector<SceneImage> images;
@@ -168,6 +177,7 @@ struct Scene {
     std::vector<Instance> instances;
     std::vector<Light> lights;
     std::vector<Camera> cameras;
+    std::optional<Ground> ground;
     std::vector<std::string> extensions_used;
     std::vector<std::string> animations;  ///< clip names
     std::vector<std::string> variants;    ///< KHR_materials_variants names

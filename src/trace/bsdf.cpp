@@ -48,7 +48,11 @@ Lobes::real4 Model::albedo(float n_dot_v, float roughness) const {
 }
 
 Bsdf::Bsdf(const Model& model, const Surface& surface, const Vec3& to_eye, Draws draws)
-    : model_(&model), to_eye_(to_eye), face_normal_(surface.face_normal), n_(surface.normal) {
+    : model_(&model),
+      to_eye_(to_eye),
+      face_normal_(surface.face_normal),
+      n_(surface.normal),
+      is_white_(draws == Draws::white) {
     // A shading normal may turn away from the viewer: the view is bent to where the rasteriser
     // clamps the cosine.
     float n_dot_v = math::dot(n_, to_eye_);
@@ -92,6 +96,10 @@ Scattered Bsdf::evaluate(const Vec3& to_light) const {
     Cosines at;
     if (!cosines(to_light, at)) return {};
     const float cosine = at.n_dot_l;
+    if (is_white_) {
+        const float pdf = Lobes{}.pdf_cosine(cosine);
+        return {Vec3(pdf), Vec3(pdf), pdf};
+    }
     const Lobes::BrdfValue lit = values(model_->lights, at);
     Scattered out;
     Lobes terms = model_->environment;
@@ -140,7 +148,7 @@ Lobes::BrdfValue Bsdf::environment_weight() const {
 Bsdf::Sample Bsdf::sample(Vec2 u, float lobe) const {
     Lobes terms = model_->environment;
     Sample out;
-    if (is_mirror_ && lobe < sampler_.specular) {
+    if (is_mirror_ && !is_white_ && lobe < sampler_.specular) {
         out.direction = n_ * (2.0F * math::dot(n_, to_eye_)) - to_eye_;
         out.is_mirror = true;
         out.is_valid = math::dot(face_normal_, out.direction) > 0.0F;
@@ -148,7 +156,8 @@ Bsdf::Sample Bsdf::sample(Vec2 u, float lobe) const {
         out.scattered = {share, share, 1.0F};
         return out;
     }
-    const Vec3 local = terms.brdf_sample(view_, sampler_, u, lobe);
+    const Vec3 local =
+        is_white_ ? terms.sample_cosine(u) : terms.brdf_sample(view_, sampler_, u, lobe);
     if (local.z <= 0.0F) return out;
     out.direction = math::normalize(x_ * local.x + y_ * local.y + n_ * local.z);
     out.scattered = evaluate(out.direction);

@@ -38,8 +38,9 @@ struct Scattered {
 
 class Bsdf {
 public:
-    /// Which lobes sample() draws from.
-    enum class Draws : std::uint8_t { both, specular };
+    /// Which lobes sample() draws from; `white`: of a Lambert surface of albedo 1, whatever the
+    /// surface's own.
+    enum class Draws : std::uint8_t { both, specular, white };
     /// `to_eye` is unit. `model` outlives this.
     Bsdf(const Model& model, const Surface& surface, const math::Vec3& to_eye,
          Draws draws = Draws::both);
@@ -85,6 +86,7 @@ private:
     math::Vec3 face_normal_;
     math::Vec3 x_, y_, n_;
     bool is_mirror_;
+    bool is_white_;
 };
 
 }  // namespace facet::trace

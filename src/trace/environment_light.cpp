@@ -116,6 +116,21 @@ Vec3 EnvironmentLight::radiance(Vec2 at_px) const {
                 (lower[x0] * (1.0F - across) + lower[x1] * across) * down);
 }
 
+Vec3 EnvironmentLight::irradiance_from_above() const {
+    glm::dvec3 sum(0.0);
+    const double step = 3.14159265358979323846 / height_;
+    for (int y = 0; 2 * y < height_; ++y) {
+        // Cosine and solid angle over the row, exactly: half the difference of squared sines.
+        const double low = std::sin(y * step);
+        const double high = std::sin(std::min((y + 1) * step, 0.5 * 3.14159265358979323846));
+        glm::dvec3 row(0.0);
+        for (int x = 0; x < width_; ++x)
+            row += glm::dvec3(texels_[static_cast<std::size_t>(y * width_ + x)]);
+        sum += row * ((high * high - low * low) / width_);
+    }
+    return Vec3(sum);
+}
+
 EnvironmentLight::Light EnvironmentLight::at(const Vec3& d) const {
     // The middle column is -z and columns to its right turn towards +x; the environment turns
     // counter-clockwise seen from above (contract, "Conventions").

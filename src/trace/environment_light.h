@@ -64,6 +64,8 @@ public:
         Light light;  ///< pdf 0: nothing was drawn
     };
     [[nodiscard]] Sample sample(math::Vec2 u) const;
+    /// Irradiance / pi of a surface that looks up, in nit.
+    [[nodiscard]] math::Vec3 irradiance_from_above() const;
     [[nodiscard]] bool is_black() const { return is_black_; }
 
 private:

@@ -76,7 +76,8 @@ image::Image Film::mean() const {
         values[i * 4] = static_cast<float>(sums.red * share);
         values[i * 4 + 1] = static_cast<float>(sums.green * share);
         values[i * 4 + 2] = static_cast<float>(sums.blue * share);
-        values[i * 4 + 3] = static_cast<float>(sums.coverage * share);
+        // Ground that is lit more than without the scene covers less than nothing.
+        values[i * 4 + 3] = static_cast<float>(std::max(sums.coverage * share, 0.0));
     }
     return out;
 }

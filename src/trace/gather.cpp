@@ -4,6 +4,7 @@
 
 #include "math/color.h"
 #include "trace/lobe_weight.h"
+#include "trace/open_light.h"
 #include "trace/smooth.h"
 
 #include <algorithm>

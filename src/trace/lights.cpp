@@ -130,6 +130,24 @@ LightSample Lights::sample(const Choice& choice, const Vec3& position_m, Vec2 u,
     return out;
 }
 
+Vec3 Lights::irradiance(const Vec3& position_m, const Vec3& normal) const {
+    constexpr int places = 8;  // along each side
+    Vec3 sum(0.0F);
+    for (std::size_t i = 0; i < lights_.size(); ++i) {
+        const bool is_wide = is_sized(lights_[i]) || lights_[i].angle_rad > 0.0F;
+        const int steps = is_wide ? places : 1;
+        for (int k = 0; k < steps * steps; ++k) {
+            const Vec2 u = (Vec2(k % steps, k / steps) + 0.5F) / static_cast<float>(steps);
+            const LightSample s = sample({i, 1.0F, 0.0F}, position_m, u, 0.0F);
+            const float cosine = math::dot(s.direction, normal);
+            if (!(cosine > 0.0F) || (s.has_size && !(s.pdf > 0.0F))) continue;
+            sum += s.light *
+                   (cosine / (s.has_size ? s.pdf : 1.0F) / static_cast<float>(steps * steps));
+        }
+    }
+    return sum;
+}
+
 LightSample Lights::sample_mesh(const Vec3& position_m, Vec2 u, float pick) const {
     const auto draw = emitter_shares_.draw(pick);
     const Emitter& e = emitters_[draw.cell];

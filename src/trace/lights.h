@@ -48,6 +48,11 @@ public:
     [[nodiscard]] LightSample sample(const Choice& choice, const math::Vec3& position_m,
                                      math::Vec2 u, float pick) const;
 
+    /// Lux of the listed lights on a surface of that unit normal, if nothing stood in the way;
+    /// those with a size by 64 places each.
+    [[nodiscard]] math::Vec3 irradiance(const math::Vec3& position_m,
+                                        const math::Vec3& normal) const;
+
     /// Radiance of the lights with a size that a ray meets between `near_m` and `far_m`: all of
     /// them, as none hides another. Each is weighted against sample(), which would have drawn that
     /// direction too, by the power heuristic; `pdf` is the ray's own density, `total_weight` that

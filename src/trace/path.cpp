@@ -3,6 +3,9 @@
 #include "trace/path.h"
 
 #include "brdf/light_terms.h"
+#include "math/color.h"
+#include "trace/ground.h"
+#include "trace/open_light.h"
 
 #include <algorithm>
 #include <cmath>
@@ -55,6 +58,25 @@ public:
         return out_.rays;
     }
 
+    /// What the scene adds to the light that white ground sends on, and what it takes, in nit.
+    Vec3 change_on(const Surface& ground, float cone_m) {
+        const Bsdf bsdf(world_.model, ground, ground.normal, Bsdf::Draws::white);
+        const Vec3& origin = ground.outside_m;
+        known_ = 1.0F;
+        add_sampled_environment(bsdf, origin);
+        add_sampled_lights(bsdf, origin, Lights::Among::all, world_.lights.count());
+        known_ = 0.0F;
+        if (scatter(bsdf, origin, cone_m)) {
+            const EnvironmentLight::Light sky = world_.environment.at(ray_.direction);
+            out_.radiance_nit -= throughput_ * sky.radiance_nit * power_share(pdf_, sky.pdf) +
+                                 of_light_ * world_.lights.met(ray_, pdf_, light_weight_);
+            while (step()) {
+            }
+        }
+        return out_.radiance_nit;
+    }
+    [[nodiscard]] std::uint32_t rays() const { return out_.rays; }
+
 private:
     [[nodiscard]] bool from_camera() const { return bounce_ == 0; }
 
@@ -66,6 +88,14 @@ private:
             world_.geometry.intersect(ray_, from_camera() ? Viewer::camera : Viewer::light, hit);
         if constexpr (books == Books::gathered)
             if (bounce_ == 1 && passed_ == 0) add_open_sky();
+        if (from_camera() && world_.scene.ground) {
+            Ray to_hit = ray_;
+            if (found) to_hit.far_m = hit.distance_m;
+            if (const auto ground = meet_ground(world_, to_hit)) {
+                add_ground(*ground);
+                return false;
+            }
+        }
         if (!from_camera()) {
             Ray to_hit = ray_;
             if (found) to_hit.far_m = hit.distance_m;
@@ -144,11 +174,26 @@ private:
         return true;
     }
 
+    /// What shows behind the scene, by as much as the ground is lit.
+    void add_ground(const Vec3& position_m) {
+        const float distance_m = math::length(position_m - ray_.origin);
+        const Cone cone{cone_.width_at(distance_m), cone_.spread};
+        const Vec3 share = ground_share(world_, position_m, cone, sequence_, out_.rays);
+        out_.coverage = 1.0F;
+        if (world_.shows_environment)
+            add(throughput_ * share * behind_scene().radiance_nit, &LightPaths::background);
+        else
+            out_.coverage = 1.0F - math::luminance(share);
+    }
+
+    EnvironmentLight::Light behind_scene() {
+        return world_.environment.at(world_.blur > 0.0F ? blurred(ray_.direction) : ray_.direction);
+    }
+
     void add_environment() {
         if (from_camera() && !world_.shows_environment) return;
-        const bool blurs = from_camera() && world_.blur > 0.0F;
         const EnvironmentLight::Light light =
-            world_.environment.at(blurs ? blurred(ray_.direction) : ray_.direction);
+            from_camera() ? behind_scene() : world_.environment.at(ray_.direction);
         if (from_camera()) out_.coverage = 1.0F;
         const float share = from_camera() || mirrored_ ? 1.0F : power_share(pdf_, light.pdf);
         const Vec3 nit = throughput_ * light.radiance_nit * share;
@@ -206,8 +251,8 @@ private:
         if constexpr (books == Books::gathered)
             if (from_camera()) add_open(open, bsdf.diffuse_shares(sample.direction));
         const float through = world_.geometry.transmittance({origin, sample.direction});
-        if (through <= 0.0F) return;
-        add_drawn(open * through, bsdf, sample.direction, From::sky);
+        if (through == known_) return;
+        add_drawn(open * (through - known_), bsdf, sample.direction, From::sky);
     }
 
     /// `count`: of those `among` which are drawn.
@@ -238,11 +283,11 @@ private:
         constexpr float almost = 1.0F - 1e-4F;  // the light's own mesh is no shadow
         const float through = world_.geometry.transmittance(
             {origin, sample.direction, 0.0F, sample.distance_m * almost});
-        if (through <= 0.0F) return;
-        float factor = through / choice.probability;
+        if (through == known_) return;
+        float factor = (through - known_) / choice.probability;
         if (sample.has_size) {
             const float own = sample.pdf * choice.probability;
-            factor = through * power_share(own, f.pdf) / own;
+            factor = (through - known_) * power_share(own, f.pdf) / own;
         }
         add_drawn(throughput_ * f.of_light * sample.light * factor, bsdf, sample.direction,
                   From::light);
@@ -285,6 +330,7 @@ private:
     Vec3 of_light_{1.0F};  ///< for lights, which the lecture masks otherwise
     float pdf_ = 0.0F;     ///< of the ray's direction, 1/sr
     float light_weight_ = 0.0F;
+    float known_ = 0.0F;  ///< share of what is drawn that is counted already
     bool mirrored_ = false;
     std::uint32_t bounce_ = 0;
     std::uint32_t passed_ = 0;
@@ -302,31 +348,23 @@ PathLight trace_path(const World& world, const Ray& camera_ray, Cone cone, Seque
     return Path<Books::by_path>(world, camera_ray, cone, sequence, apart).trace();
 }
 
-Vec3 open_specular(const World& world, const Surface& surface, const Vec3& to_eye,
-                   std::uint32_t number, std::uint32_t seed, std::uint32_t draws) {
-    Vec3 sum(0.0F);
-    if (world.environment.is_black()) return sum;
-    const Bsdf bsdf(world.model, surface, to_eye, Bsdf::Draws::specular);
-    for (std::uint32_t i = 0; i < draws; ++i) {
-        Sequence sequence(number, i, seed);
-        const EnvironmentLight::Sample sky = world.environment.sample(sequence.next_pair());
-        if (sky.light.pdf > 0.0F) {
-            const Scattered f = bsdf.evaluate_specular(sky.direction);
-            if (f.pdf > 0.0F)
-                sum += f.of_environment * sky.light.radiance_nit *
-                       (power_share(sky.light.pdf, f.pdf) / sky.light.pdf);
-        }
-        const Bsdf::Sample sample = bsdf.sample(sequence.next_pair(), 0.0F);
-        if (!sample.is_valid) continue;
-        const EnvironmentLight::Light light = world.environment.at(sample.direction);
-        if (sample.is_mirror) {
-            sum += sample.scattered.of_environment * light.radiance_nit;
-            continue;
-        }
-        const Scattered f = bsdf.evaluate_specular(sample.direction);
-        sum += f.of_environment * light.radiance_nit * (power_share(f.pdf, light.pdf) / f.pdf);
-    }
-    return sum / static_cast<float>(draws);
+Vec3 ground_share(const World& world, const Vec3& position_m, Cone cone, Sequence& sequence,
+                  std::uint32_t& rays) {
+    const Vec3 up(0.0F, 1.0F, 0.0F);
+    // Above it by what keeps a model that stands on the ground from being below.
+    const float lift_m = 1e-5F * world.scene.ground->radius_m;
+    const Surface surface{.position_m = position_m,
+                          .outside_m = position_m + up * lift_m,
+                          .face_normal = up,
+                          .normal = up};
+    const Vec3 open = open_ground(world, position_m);
+    Path<Books::none> path(world, {}, cone, sequence, nullptr);
+    const Vec3 change = path.change_on(surface, cone.width_m);
+    rays += path.rays();
+    Vec3 share(1.0F);
+    for (int c = 0; c < 3; ++c)
+        if (open[c] > 0.0F) share[c] += change[c] / open[c];
+    return share;
 }
 
 std::uint32_t gather_light(const World& world, const Surface& surface, const Vec3& to_eye,

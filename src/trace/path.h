@@ -29,6 +29,8 @@ struct World {
     std::uint32_t bounce_limit = 64;
     scene::KeyLight key_light{};        ///< for AOVs that are terms of the BRDF
     const scene::Light* sun = nullptr;  ///< behind the scene's lights
+    math::Vec3 open_ground{
+        0.0F};  ///< irradiance / pi of level ground by the sky, if nothing stood there
     [[nodiscard]] const scene::Light& light(std::size_t index) const {
         return index < scene.lights.size() ? scene.lights[index] : *sun;
     }
@@ -62,12 +64,10 @@ struct Gathered {
     math::Vec3 specular_open{0.0F};
     math::Vec3 specular_rest{0.0F};
 };
-/// What the specular lobe would send on of the sky if nothing stood in the way, in nit: the mean of
-/// `draws` numbered draws of sequence (number, seed), without a ray.
-[[nodiscard]] math::Vec3 open_specular(const World& world, const Surface& surface,
-                                       const math::Vec3& to_eye, std::uint32_t number,
-                                       std::uint32_t seed, std::uint32_t draws);
-
+/// By how much the scene changes the light on level white ground, of what it would be without: 1
+/// where it changes nothing, and then exactly, for any draw. `cone`: of a pixel there.
+[[nodiscard]] math::Vec3 ground_share(const World& world, const math::Vec3& position_m, Cone cone,
+                                      Sequence& sequence, std::uint32_t& rays);
 /// Adds one draw to `out`. `cone`: of a pixel at the surface. Returns the number of rays.
 std::uint32_t gather_light(const World& world, const Surface& surface, const math::Vec3& to_eye,
                            Cone cone, Sequence& sequence, Gathered& out,

@@ -86,6 +86,13 @@ struct IndirectPixels {
     std::vector<std::uint8_t> intricate;  ///< 1 where few places around are alike
 };
 
+/// By how much a scene changes the light on the ground below it (path.h, ground_share()), at the
+/// places of IndirectPixels: [height, width], rgb; 1 where no ground is. Smoothed.
+struct GroundPixels {
+    math::Extent size;
+    std::vector<math::Vec4> share;
+};
+
 /// Light of single samples, in the same units: [height, width]; a: 1 where it is there.
 struct SampleLight {
     std::vector<math::Vec4> diffuse;   ///< rgb: irradiance / pi, nit; all of it

@@ -6,6 +6,7 @@
 #include "trace/camera.h"
 #include "trace/film.h"
 #include "trace/gather.h"
+#include "trace/ground.h"
 #include "trace/path.h"
 #include "trace/visibility.h"
 
@@ -141,7 +142,9 @@ struct Tracer::Impl {
           lights(inputs.scene, textures, inputs.sun ? &*inputs.sun : nullptr),
           environment(*inputs.environment.latlong, inputs.env_rotation_deg, inputs.env_intensity,
                       pool),
-          model(inputs.brdf) {}
+          model(inputs.brdf),
+          open_ground(inputs.scene.ground ? environment.irradiance_from_above()
+                                          : math::Vec3(0.0F)) {}
 
     TraceInputs inputs;
     Textures textures;
@@ -150,6 +153,7 @@ struct Tracer::Impl {
     EnvironmentLight environment;
     Model model;
     std::optional<Geometry> geometry;
+    math::Vec3 open_ground{0.0F};
     double build_s = 0.0;
 
     [[nodiscard]] World world(std::uint32_t bounces) const {
@@ -164,7 +168,8 @@ struct Tracer::Impl {
                 .blur = inputs.background_blur,
                 .bounce_limit = bounces,
                 .key_light = inputs.key_light,
-                .sun = inputs.sun ? &*inputs.sun : nullptr};
+                .sun = inputs.sun ? &*inputs.sun : nullptr,
+                .open_ground = open_ground};
     }
 };
 
@@ -236,6 +241,12 @@ Traced Tracer::trace(const TraceSettings& settings, base::ThreadPool& pool,
 IndirectPixels Tracer::gather(const Seen& seen, const GatherSettings& settings,
                               base::ThreadPool& pool) const {
     return trace::gather(impl_->world(settings.bounces), seen, settings, pool);
+}
+
+GroundPixels Tracer::ground(const Seen& seen, const GatherSettings& settings,
+                            base::ThreadPool& pool) const {
+    if (!impl_->inputs.scene.ground) return {{1, 1}, {math::Vec4(1.0F)}};
+    return light_ground(impl_->world(settings.bounces), seen, settings, pool);
 }
 
 SampleLight Tracer::sample_light(const Seen& seen, const IndirectPixels& middles,

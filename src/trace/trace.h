@@ -94,6 +94,9 @@ public:
     /// For a rasteriser's picture: see seen.h.
     [[nodiscard]] IndirectPixels gather(const Seen& seen, const GatherSettings& settings,
                                         base::ThreadPool& pool) const;
+    /// As though the ground changed nothing where the scene has none.
+    [[nodiscard]] GroundPixels ground(const Seen& seen, const GatherSettings& settings,
+                                      base::ThreadPool& pool) const;
     [[nodiscard]] SampleLight sample_light(const Seen& seen, const IndirectPixels& middles,
                                            const GatherSettings& settings, std::uint32_t frame,
                                            base::ThreadPool& pool) const;

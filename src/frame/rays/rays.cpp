@@ -46,6 +46,21 @@ std::size_t longest(const TileLights& lights) {
     return most;
 }
 
+/// Makes it anew where its size was another.
+base::Status update_texture(const gl::Context& gl, math::Extent size,
+                            std::span<const math::Vec4> values, math::Extent& old_size,
+                            gl::Texture& texture) {
+    const gl::TextureSpec spec{.format = GL_RGBA32F, .size = size};
+    if (old_size != size) {
+        auto made = gl::make_texture(gl, spec);
+        if (!made) return tl::unexpected(made.error());
+        texture = std::move(*made);
+        old_size = size;
+    }
+    gl::upload(gl, texture, spec, 0, 0, {GL_RGBA, GL_FLOAT}, std::as_bytes(values));
+    return {};
+}
+
 }  // namespace
 
 ReadSurfaces read_surfaces(const gl::Context& gl, const GBuffer& gbuffer, const shared::View& view,
@@ -84,7 +99,7 @@ base::Status update_indirect(const gl::Context& gl, const IndirectLight& light, 
     }
     out.size = light.size;
     out.stride = light.stride;
-    return {};
+    return update_texture(gl, light.ground_size, light.ground, out.ground_size, out.ground);
 }
 
 base::Status update_sample_light(const gl::Context& gl, const SampleLight& light, math::Extent size,

@@ -41,6 +41,8 @@ struct IndirectLight {
     std::span<const math::Vec4> sky;       ///< rgb: share that arrives; a: 0 where nothing is known
     std::span<const math::Vec4> rest;      ///< rgb: nit
     std::span<const math::Vec4> specular;  ///< rgb: nit
+    math::Extent ground_size;              ///< {1, 1} where there is no ground
+    std::span<const math::Vec4> ground;    ///< rgb: factor on what shows behind it
     std::span<const math::Vec4> guide;  ///< xyz: metres; w: 12 bits of each octahedral coordinate
 };
 
@@ -79,14 +81,15 @@ public:
 
 /// What rays found, on the GL.
 struct RayTextures {
-    gl::Texture sky, rest, specular, guide;
+    gl::Texture sky, rest, specular, guide, ground;
     gl::Texture sample_diffuse, sample_specular;
     math::Extent sample_size;
     gl::Buffer visibility;
     gl::Texture visibility_texture;
     std::uint32_t slots = 0;   ///< of visibility
     std::uint32_t stride = 0;  ///< 0: no indirect light is there
-    math::Extent size;         ///< of the indirect light's textures
+    math::Extent ground_size;
+    math::Extent size;  ///< of the indirect light's textures
 };
 [[nodiscard]] RayTextures make_ray_textures(const gl::Context& gl);
 [[nodiscard]] base::Status update_indirect(const gl::Context& gl, const IndirectLight& light,
