@@ -14,7 +14,8 @@ struct View {
                        // the one behind
     vec4 background;   // x: level of the cube that shows; y: width of the lobe that blurs it, 0:
                        // none; z: what makes that lobe's share of the sun from D n.l; w: unused
-    vec4 pixel;        // x: width at the eye in metres, y: growth per metre; zw: unused
+    vec4 pixel;  // x: width at the eye in metres, y: growth per metre; z: index of the sample; w:
+                 // unused
     uvec4 rays;  // x: pixels a slot of light_visibility, y: slots, z: pixels across, w: stride of
                  // the indirect light
     vec4 lens;   // xy: place on it in metres; z: radius of its barrel's rim, 0: no vignetting; w:
@@ -27,5 +28,6 @@ struct View {
     vec4 box_high;
     vec4 box_place;  // xyz: where the probe was
     vec4 ground;     // x, y, z: metres, its middle; w: its radius
+    vec4 occlusion;  // x: metres that it looks around for, yzw: unused
     vec4 key_light;  // xyz: metres where w is 1, else the unit direction to it
 };

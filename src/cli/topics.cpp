@@ -30,8 +30,9 @@ std::string lights() {
         "color is #rrggbb or \"r g b\" linear; temperature is in kelvin. inner and outer are half "
         "angles of a cone.\n";
     out +=
-        "Kinds with a size (nit) light by rays, in raster and reference alike; with --shadows off "
-        "by linearly\ntransformed cosines, without shadows.\n\n";
+        "Kinds with a size (nit) light by rays, in raster and reference alike; with --shadows maps "
+        "or off by linearly\ntransformed cosines. Maps have room for some 40 lights; those after "
+        "them cast no shadow.\n\n";
     for (const auto& row : tables::light_kinds)
         out += fmt::format("{:<12} {} Unit: {}.\n{:<12} keys: {}\n", row.key, row.help, row.unit,
                            "", row.keys);
@@ -50,7 +51,9 @@ std::string quality() {
         "--reference, how much of the environment arrives and what other surfaces send. That is "
         "smoothed over each surface.\n"
         "More paths are drawn where the first ones disagree. --shadows off leaves all rays "
-        "out.\n\n";
+        "out. --shadows maps is\nwhat rasterisers do in their place: shadow maps, wider with the "
+        "light's size, and the horizon in the depth\nbuffer for the environment; no light between "
+        "surfaces.\n\n";
     for (const tables::Quality& row : tables::qualities)
         out += fmt::format("{:<9} {:>2} frames, {} to {} paths, {} bounces at most: {}\n", row.key,
                            row.frames, row.rays.samples, row.rays.most_samples, row.rays.bounces,

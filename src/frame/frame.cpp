@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "frame/frame.h"
 
+#include "frame/environment/lobe.h"
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -12,24 +14,6 @@ namespace {
 
 bool wants(const std::vector<tables::Aov>& aovs, tables::Aov aov) {
     return std::find(aovs.begin(), aovs.end(), aov) != aovs.end();
-}
-
-/// Mean of n.l over the facets of a GGX lobe seen from above: integral of D(h) (n.h) max(n.l, 0),
-/// what the prefiltered cube's weights add up to (frame/environment/prefilter).
-float lobe_cosine(float alpha) {
-    constexpr int steps = 256;
-    double sum = 0.0;
-    for (int i = 0; i < steps; ++i) {
-        // h no further than 45 degrees off; even in tan^2, where D is widest.
-        const double u = (i + 0.5) / steps;
-        const double a2 = static_cast<double>(alpha) * static_cast<double>(alpha);
-        // Share of D (n.h) below this angle: sin^2 / (sin^2 + a^2 cos^2) = u times that of 45
-        // degrees.
-        const double share = u / (1.0 + a2);
-        const double tan2 = a2 * share / (1.0 - share);
-        sum += (1.0 - tan2) / (1.0 + tan2) / steps;  // cos of twice the angle
-    }
-    return static_cast<float>(sum / (1.0 + static_cast<double>(alpha * alpha)));
 }
 
 /// Waits for the GL and adds the time since the last call; does nothing where no times are wanted.
@@ -91,7 +75,7 @@ base::Status Frame::make_targets(const gl::Context& gl) {
     auto radiance = RadianceTarget::create(gl, size(), gbuffer_.depth);
     if (!radiance) return tl::unexpected(radiance.error());
     radiance_ = std::move(*radiance);
-    return {};
+    return spec_.maps ? occlusion_pass_.make_target(gl, gbuffer_) : base::Status{};
 }
 
 base::Status Frame::set_aovs(const gl::Context& gl, std::vector<tables::Aov> aovs) {
@@ -140,6 +124,8 @@ void Frame::set_view(const gl::Context& gl, const FrameInputs& in,
         view.box_place = {lit_by.box->place_m, 0.0F};
     }
     view.key_light = in.key_light.place;
+    constexpr float occlusion_share = 0.25F;  // of the scene's size: what is further is open
+    view.occlusion.x = occlusion_share * in.scene.bounds_m.diagonal();
     if (in.ground != nullptr)
         view.ground = {in.ground->center_m.x, in.ground->height_m, in.ground->center_m.y,
                        in.ground->radius_m};
@@ -233,12 +219,17 @@ base::Status Frame::draw_light(const gl::Context& gl, const FrameInputs& in,
                                const SampleView& sample,
                                const std::vector<std::size_t>& far_to_near) {
     const shared::View& view = sample.view;
-    ShadeInputs shade{upload_lights(gl, in), in.probe == nullptr ? in.environment : *in.probe,
-                      light_buffers_, rays_};
+    ShadeInputs shade{upload_lights(gl, in),   in.probe == nullptr ? in.environment : *in.probe,
+                      light_buffers_,          rays_,
+                      shadow_pass_.textures(), occlusion_pass_.texture()};
+    shade.key.shadow_maps = has_maps(in) && in.lights.count > 0;
     std::optional<LightLists> lists;
     if (shade.key.local_lights) lists = update_light_lists(gl, in, view, true);
     // Rays know the G-buffer's surfaces alone: those that are blended are lit as if in the open.
     const ShadeInputs in_the_open = shade;
+    shade.key.occlusion = has_maps(in);
+    if (shade.key.occlusion)
+        if (auto s = occlusion_pass_.run(gl, gbuffer_, empty_); !s) return s;
     if (in.rays != nullptr && spec_.rays)
         if (auto s = ask_rays(gl, in, sample, lists ? &*lists : nullptr, shade.key); !s) return s;
     if (in.background.kind != BackgroundKind::environment) radiance_.clear(gl);
@@ -261,6 +252,7 @@ base::Status Frame::draw_light(const gl::Context& gl, const FrameInputs& in,
     if (auto s = blend_pass_.run(gl, in.scene, far_to_near, in_the_open, radiance_.target()); !s)
         return s;
     if (!light_paths_) return {};
+    apart.key.occlusion = false;
     apart.key.visibility = false;
     apart.key.indirect = false;
     apart.key.sample_light = false;
@@ -272,7 +264,14 @@ base::Status Frame::draw(const gl::Context& gl, const FrameInputs& in, std::uint
     PassTimes unwanted;
     PassTimes& passes = times == nullptr ? unwanted : *times;
     Clock clock(gl, times != nullptr);
-    const shared::View view = sample_view(in.camera, spec_.picture, spec_.region, index, count);
+    if (index == 0 && has_maps(in))
+        if (auto s = shadow_pass_.run(
+                gl, in.scene,
+                plan_shadow_views(in.lights.lights, in.camera, spec_.picture, in.scene.bounds_m));
+            !s)
+            return s;
+    shared::View view = sample_view(in.camera, spec_.picture, spec_.region, index, count);
+    view.pixel.z = static_cast<float>(index);
     set_view(gl, in, view);
     std::vector<std::size_t> order = near_to_far(in.scene, view);
     if (auto s = gbuffer_pass_.run(gl, in.scene, order, gbuffer_); !s) return s;

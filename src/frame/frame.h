@@ -10,8 +10,10 @@
 #include "frame/gbuffer/gbuffer.h"
 #include "frame/lighting/light_paths.h"
 #include "frame/lighting/lighting.h"
+#include "frame/occlusion/occlusion.h"
 #include "frame/output/output.h"
 #include "frame/rays/rays.h"
+#include "frame/shadow/shadow_maps.h"
 #include "frame/upload/gpu_scene.h"
 #include "frame/view.h"
 #include "image/read.h"
@@ -28,6 +30,7 @@ struct FrameSpec {
     Region region;
     bool emissive = false;  ///< some material emits
     bool rays = false;      ///< FrameInputs::rays may be there
+    bool maps = false;      ///< shadow maps and ambient visibility, where they are not
     std::vector<tables::Aov> aovs;
 };
 
@@ -120,6 +123,8 @@ private:
           lighting_pass_(sources),
           background_pass_(sources),
           ground_pass_(sources),
+          shadow_pass_(sources),
+          occlusion_pass_(sources),
           blend_pass_(sources),
           aov_pass_(sources),
           display_pass_(sources) {}
@@ -131,6 +136,10 @@ private:
     /// Adds the averaged AOVs of the frame just drawn to their sums.
     [[nodiscard]] base::Status add_aovs(const gl::Context& gl, const FrameInputs& in,
                                         std::uint32_t index);
+    /// Whether this frame has shadow maps and ambient visibility.
+    [[nodiscard]] bool has_maps(const FrameInputs& in) const {
+        return spec_.maps && in.rays == nullptr;
+    }
     void set_view(const gl::Context& gl, const FrameInputs& in, const shared::View& camera_view);
     [[nodiscard]] ShadeKey upload_lights(const gl::Context& gl, const FrameInputs& in);
     /// `opaque`: for the surfaces of the G-buffer, whose depth leaves out lights.
@@ -159,6 +168,8 @@ private:
     LightingPass lighting_pass_;
     BackgroundPass background_pass_;
     GroundPass ground_pass_;
+    ShadowPass shadow_pass_;
+    OcclusionPass occlusion_pass_;
     BlendPass blend_pass_;
     AovPass aov_pass_;
     DisplayPass display_pass_;

@@ -89,10 +89,11 @@ base::Status plan_quality(const tables::Settings& settings, Plan& plan) {
 
 base::Status plan_shadows(const tables::Settings& settings, Plan& plan) {
     if (settings.shadows.empty()) return {};
-    const std::array<std::string, 2> names = {"traced", "off"};
+    const std::array<std::string, 3> names = {"traced", "maps", "off"};
     const auto shadows = choose("--shadows", settings.shadows, names);
     if (!shadows) return tl::unexpected(shadows.error());
-    if (*shadows == 1) plan.rays = {};
+    if (*shadows > 0) plan.rays = {};
+    plan.has_maps = *shadows == 1;
     return {};
 }
 

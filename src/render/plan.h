@@ -50,6 +50,7 @@ struct Plan {
     tables::BrdfChoice brdf;
     std::vector<tables::Aov> aovs;
     tables::RayBudget rays;
+    bool has_maps = false;  ///< shadow maps and horizon occlusion, in the rays' place
     std::optional<ReferencePlan> reference;
     gl::Backend backend = gl::Backend::automatic;
     base::Limits limits;

@@ -59,6 +59,7 @@ frame::FrameSpec Session::frame_spec() const {
             .region = plan_.region,
             .emissive = scene_.emits,
             .rays = plan_.rays.any(),
+            .maps = plan_.has_maps,
             .aovs = plan_.aovs};
 }
 

@@ -24,6 +24,12 @@ uniform samplerBuffer light_visibility;  // [slot, pixel]: share of a light that
 #if FACET_INDIRECT
 #include "frame/lighting/indirect.glsl"
 #endif
+#if FACET_SHADOW_MAPS
+#include "frame/shadow/shadow.glsl"
+#endif
+#if FACET_OCCLUSION
+#include "frame/occlusion/occlusion.glsl"
+#endif
 
 struct ShadePoint {
     vec3 position_m;
@@ -121,9 +127,13 @@ vec3 lit_by(ShadePoint p, BrdfView brdf, vec3 to_light, vec3 illuminance, float 
 #include "frame/lighting/area.glsl"
 #endif
 
-// Share of a light's rays that reach this pixel. Slots that there was no room for are taken to be lit.
-float light_visible(uint slot) {
-#if FACET_VISIBILITY
+// Share of a light that reaches this pixel: of its rays, by its place in the tile's list (those that there was no room for are
+// taken to be lit), or by its map. light: in the packed order; from_light: metres, from its middle.
+float light_visible(uint slot, int light, ShadePoint p, vec3 from_light) {
+#if FACET_SHADOW_MAPS
+    float n_dot_l = -dot(p.normal, from_light) * inversesqrt(max(dot(from_light, from_light), 1e-20));
+    return shadow_share(light, p.position_m, p.normal, from_light, clamp(n_dot_l, 0.0, 1.0));
+#elif FACET_VISIBILITY
     if (slot >= view.rays.y) return 1.0;
     uvec2 pixel = uvec2(gl_FragCoord.xy);
     return texelFetch(light_visibility, int(slot * view.rays.x + pixel.y * view.rays.z + pixel.x)).r;
@@ -197,14 +207,27 @@ vec3 shade(ShadePoint p) {
     vec3 mirrored = reflect(-p.to_eye, p.normal);
     float level = p.roughness * view.environment.x;
     vec3 prefiltered = textureLod(radiance_cube, in_box(p.position_m, mirrored), level).rgb * view.environment.y;
-    radiance = (w.diffuse * irradiance_over_pi(p.normal) + w.specular * prefiltered) * p.ao;
+#if FACET_OCCLUSION
+    vec4 occlusion = texelFetch(ambient_occlusion, ivec2(gl_FragCoord.xy), 0);
+    float open = min(occlusion.w, p.ao);
+    vec3 irradiance = irradiance_over_pi(occlusion.xyz) * with_bounces(open, w.diffuse);
+    // What stands in the mirror's way is taken to be of the surface's own kind, and lit from this side.
+    vec3 in_the_way = irradiance_over_pi(-mirrored) * (w.diffuse + w.specular);
+    prefiltered = mix(in_the_way, prefiltered, specular_visible(vec4(occlusion.xyz, open), p.normal, mirrored, p.roughness));
+    float ao = 1.0;
+#else
+    vec3 irradiance = irradiance_over_pi(p.normal);
+    float ao = p.ao;
+#endif
+    radiance = (w.diffuse * irradiance + w.specular * prefiltered) * ao;
 #ifdef FACET_EXPLAIN
-    explained.irradiance = vec4(irradiance_over_pi(p.normal), 0.0);
+    explained.numbers.z = ao;
+    explained.irradiance = vec4(irradiance, 0.0);
     explained.prefiltered = vec4(prefiltered, level);
 #endif
 #if FACET_LIGHT_PATHS
-    paths.diffuse_indirect = w.diffuse * irradiance_over_pi(p.normal) * p.ao;
-    paths.specular_indirect = w.specular * prefiltered * p.ao;
+    paths.diffuse_indirect = w.diffuse * irradiance * ao;
+    paths.specular_indirect = w.specular * prefiltered * ao;
 #endif
 #endif
     for (uint i = 0u; i < view.light_counts.x; ++i) {
@@ -217,7 +240,7 @@ vec3 shade(ShadePoint p) {
 #ifdef FACET_EXPLAIN
         explain_light = i;
 #endif
-        radiance += lit_by(p, brdf, -direction, light_directional(intensity_lux), light_visible(i));
+        radiance += lit_by(p, brdf, -direction, light_directional(intensity_lux), light_visible(i, int(i), p, direction));
     }
 #if FACET_LOCAL_LIGHTS
 #if FACET_LIGHT_PATHS
@@ -235,7 +258,8 @@ vec3 shade(ShadePoint p) {
 #if FACET_LIGHT_PROFILES
         illuminance *= profile_share(light.texel, -light.way, direction_offset.xyz);
 #endif
-        radiance += lit_by(p, brdf, light.way, illuminance, light_visible(view.light_counts.x + i));
+        radiance += lit_by(p, brdf, light.way, illuminance,
+                           light_visible(view.light_counts.x + i, light.texel / LIGHT_TEXELS, p, p.position_m - light.place.xyz));
     }
 #if FACET_AREA_LIGHTS
     AreaView area_point = area_view(p, n_dot_v);
@@ -245,7 +269,11 @@ vec3 shade(ShadePoint p) {
         vec4 x_kind = texelFetch(lights, light.texel + 3);
         vec3 half_y = texelFetch(lights, light.texel + 4).xyz;
         SeenArea area = seen_area(x_kind.w, light.place.xyz - p.position_m, x_kind.xyz, half_y);
-        radiance += lit_by_area(area_point, area_weight, area, light.color.rgb * light_window(light.distance2, light.place.w));
+        vec3 nit = light.color.rgb * light_window(light.distance2, light.place.w);
+#if FACET_SHADOW_MAPS
+        nit *= light_visible(0u, light.texel / LIGHT_TEXELS, p, p.position_m - light.place.xyz);
+#endif
+        radiance += lit_by_area(area_point, area_weight, area, nit);
     }
 #endif
 #endif

@@ -34,6 +34,22 @@ double lobe_weight(double theta_rad, double alpha) {
     return alpha * alpha / (denominator * denominator) * n_dot_l;
 }
 
+float lobe_cosine(float alpha) {
+    constexpr int steps = 256;
+    double sum = 0.0;
+    for (int i = 0; i < steps; ++i) {
+        // h no further than 45 degrees off; even in tan^2, where D is widest.
+        const double u = (i + 0.5) / steps;
+        const double a2 = static_cast<double>(alpha) * static_cast<double>(alpha);
+        // Share of D (n.h) below this angle: sin^2 / (sin^2 + a^2 cos^2) = u times that of 45
+        // degrees.
+        const double share = u / (1.0 + a2);
+        const double tan2 = a2 * share / (1.0 - share);
+        sum += (1.0 - tan2) / (1.0 + tan2) / steps;  // cos of twice the angle
+    }
+    return static_cast<float>(sum / (1.0 + static_cast<double>(alpha * alpha)));
+}
+
 LobeTable tabulate(const std::function<double(double)>& lobe) {
     LobeTable out;
     double sum = 0.0;

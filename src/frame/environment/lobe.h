@@ -13,6 +13,10 @@ namespace facet::frame {
 /// Environment Map", where the density of sampling D (n.h) / (4 v.h) loses its cosines.
 [[nodiscard]] double lobe_weight(double theta_rad, double alpha);
 
+/// Mean of n.l over the facets of a GGX lobe seen from above: integral of D(h) (n.h) max(n.l, 0),
+/// what the prefiltered cube's weights add up to.
+[[nodiscard]] float lobe_cosine(float alpha);
+
 /// A function of the angle from the normal at fixed angles; its integral over the sphere is 1.
 using LobeTable = std::vector<double>;
 [[nodiscard]] LobeTable tabulate(const std::function<double(double theta_rad)>& lobe);

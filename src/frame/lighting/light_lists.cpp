@@ -157,6 +157,7 @@ PackedLights pack_lights(std::span<const scene::Light> lights, bool with_rays) {
     std::ranges::stable_sort(packed.order, {}, order_of);
     for (const std::size_t index : packed.order) {
         push(packed, lights[index]);
+        packed.lights.push_back(lights[index]);
         if (lights[index].kind == tables::LightKind::directional) ++packed.directional_count;
         if (scene::area_m2(lights[index]) > 0.0F) ++packed.area_count;
     }

@@ -32,7 +32,8 @@ inline constexpr float tube = 4.0F;
 /// environment's sun is -1.
 struct PackedLights {
     std::vector<math::Vec4> texels;
-    std::vector<std::size_t> order;  ///< which of the lights each is
+    std::vector<std::size_t> order;    ///< which of the lights each is
+    std::vector<scene::Light> lights;  ///< each
     std::uint32_t directional_count = 0;
     std::uint32_t count = 0;
     std::uint32_t area_count = 0;  ///< of them have a size

@@ -22,9 +22,12 @@ enum Unit : GLuint {
     visibility_unit,
     ltc_unit = visibility_unit,  // where rays are, lights with a size are theirs
     sky_unit,
+    atlas_unit = sky_unit,  // maps are there where rays are not
     rest_unit,
+    shadow_views_unit = rest_unit,
     specular_unit,
     guide_unit,
+    occlusion_unit = guide_unit,
     profiles_unit,
     sample_diffuse_unit,
     sample_specular_unit
@@ -54,6 +57,7 @@ std::string defines(const ShadeKey& key) {
     std::string text =
         define("ENVIRONMENT", key.environment) + define("LOCAL_LIGHTS", key.local_lights) +
         define("AREA_LIGHTS", key.area_lights) + define("LIGHT_PROFILES", key.light_profiles) +
+        define("SHADOW_MAPS", key.shadow_maps) + define("OCCLUSION", key.occlusion) +
         define("VISIBILITY", key.visibility) + define("INDIRECT", key.indirect) +
         define("SAMPLE_LIGHT", key.sample_light) + define("LIGHT_PATHS", !key.paths.empty());
     std::string outputs;
@@ -110,6 +114,9 @@ void set_shade_samplers(const gl::Context& gl, const gl::Program& program) {
     gl::bind_sampler(gl, program, "light_profiles", profiles_unit);
     gl::bind_sampler(gl, program, "light_visibility", visibility_unit);
     gl::bind_sampler(gl, program, "ltc_table", ltc_unit);
+    gl::bind_sampler(gl, program, "shadow_atlas", atlas_unit);
+    gl::bind_sampler(gl, program, "shadow_views", shadow_views_unit);
+    gl::bind_sampler(gl, program, "ambient_occlusion", occlusion_unit);
     gl::bind_sampler(gl, program, "indirect_sky", sky_unit);
     gl::bind_sampler(gl, program, "indirect_rest", rest_unit);
     gl::bind_sampler(gl, program, "indirect_specular", specular_unit);
@@ -133,6 +140,13 @@ void bind_shade_textures(const gl::Context& gl, const ShadeInputs& in) {
     if (in.key.visibility)
         gl::bind_texture(gl, visibility_unit, GL_TEXTURE_BUFFER, in.rays.visibility_texture,
                          nullptr);
+    if (in.key.shadow_maps) {
+        gl::bind_texture(gl, atlas_unit, GL_TEXTURE_2D, in.shadows.atlas, nullptr);
+        gl::bind_texture(gl, shadow_views_unit, GL_TEXTURE_BUFFER, in.shadows.views_texture,
+                         nullptr);
+    }
+    if (in.key.occlusion)
+        gl::bind_texture(gl, occlusion_unit, GL_TEXTURE_2D, in.occlusion, nullptr);
     if (!in.key.indirect) return;
     gl::bind_texture(gl, sky_unit, GL_TEXTURE_2D, in.rays.sky, nullptr);
     gl::bind_texture(gl, rest_unit, GL_TEXTURE_2D, in.rays.rest, nullptr);

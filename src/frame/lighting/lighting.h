@@ -6,6 +6,7 @@
 #include "frame/gbuffer/gbuffer.h"
 #include "frame/lighting/light_lists.h"
 #include "frame/rays/rays.h"
+#include "frame/shadow/shadow_textures.h"
 #include "frame/shared.h"
 #include "tables/aovs.h"
 
@@ -20,6 +21,8 @@ struct ShadeKey {
     bool local_lights = false;
     bool area_lights = false;        ///< some of them have a size
     bool light_profiles = false;     ///< some of them have a profile
+    bool shadow_maps = false;        ///< of lights, and
+    bool occlusion = false;          ///< of the environment, from what the eye sees; or
     bool visibility = false;         ///< of lights, and
     bool indirect = false;           ///< indirect light, as rays found them
     bool sample_light = false;       ///< and at this very sample, where that is not enough
@@ -45,6 +48,8 @@ struct ShadeInputs {
     const EnvironmentMaps& environment;
     const LightBuffers& lights;
     const RayTextures& rays;
+    const ShadowTextures& shadows;
+    const gl::Texture& occlusion;
 };
 void set_shade_samplers(const gl::Context& gl, const gl::Program& program);
 void bind_shade_textures(const gl::Context& gl, const ShadeInputs& in);

@@ -161,6 +161,7 @@ base::Status update_scene(const gl::Context& gl, const scene::Scene& scene, Filt
     if (auto uploaded = upload_textures(gl, scene, pool, out); !uploaded) return uploaded;
     out.draws.clear();
     out.emits = false;
+    out.bounds_m = scene.bounds_m();
     Uploader uploader(gl, scene, filtering, out);
     for (std::uint32_t i = 0; i < scene.instances.size(); ++i) uploader.add_draw(i);
     uploader.finish();

@@ -58,7 +58,8 @@ struct GpuScene {
     std::map<TextureUse, gl::Texture> textures;
     std::map<gl::SamplerSpec, gl::Sampler> samplers;
     std::vector<Draw> draws;
-    bool emits = false;  ///< some opaque material has emission
+    math::Bounds bounds_m;  ///< of the whole scene
+    bool emits = false;     ///< some opaque material has emission
 };
 
 /// How textures are filtered.
