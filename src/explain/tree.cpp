@@ -144,9 +144,15 @@ private:
                                      factor(material, TextureSlot::metallic_roughness_texture,
                                             one(v.roughness), one(s.orm_texel.y))));
             if (s.numbers.w != s.numbers.y) rough.add(t("for_lights"), one(s.numbers.w));
-            if (s.orm_texel.w > 0.0F)
-                node.add("AO", fmt::format("{}   = 1 + {} × ({} {} − 1)", one(s.numbers.z),
-                                           one(v.ao_strength), t("map"), one(s.orm_texel.x)));
+            if (s.orm_texel.w > 0.0F) {
+                // Where rays or the horizon find what is occluded the map has no say.
+                const float of_map = 1.0F + v.ao_strength * (s.orm_texel.x - 1.0F);
+                constexpr float codes = 1.0F / 255.0F;  // it is stored in 8 bits
+                node.add("AO", std::fabs(of_map - s.numbers.z) > codes
+                                   ? fmt::format("{}   {}", one(s.numbers.z), t("occlusion_found"))
+                                   : fmt::format("{}   = 1 + {} × ({} {} − 1)", one(s.numbers.z),
+                                                 one(v.ao_strength), t("map"), one(s.orm_texel.x)));
+            }
             if (material.texture(TextureSlot::normal_texture))
                 node.add(t("normal_map"),
                          fmt::format("{}   × {}", numbers(s.normal_texel), one(v.normal_scale)));

@@ -156,12 +156,12 @@ LightLists Frame::update_light_lists(const gl::Context& gl, const FrameInputs& i
                                      const shared::View& view, bool opaque) {
     const math::Extent size = spec_.region.size;
     // Reading depth back is a copy on a software renderer, and a stall on any other.
-    std::optional<TileDepths> depths;
+    std::optional<CellDepths> depths;
     if (opaque && gl.is_software()) {
         std::vector<float> depth(static_cast<std::size_t>(size.pixels()));
         gl::read_pixels(gl, gbuffer_.framebuffer, 0, size, {GL_DEPTH_COMPONENT, GL_FLOAT},
                         std::as_writable_bytes(std::span(depth)));
-        depths = tile_depths(depth, size);
+        depths = cell_depths(depth, size);
     }
     LightLists lists =
         build_light_lists(in.lights, view.clip_from_world, size, depths ? &*depths : nullptr);

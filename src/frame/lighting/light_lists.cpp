@@ -143,6 +143,52 @@ TileRange tile_range(const Vec4& position_inverse_range2, const math::Mat4& clip
             tile(high.x, size.width, across, 1.0F), tile(high.y, size.height, down, 1.0F)};
 }
 
+std::uint32_t count_of(std::uint32_t pixels, std::uint32_t each) {
+    return (pixels + each - 1) / each;
+}
+
+/// What is seen through a tile: a box around all of it, and boxes around its parts.
+struct TileBoxes {
+    math::Bounds whole;
+    std::vector<math::Bounds> cells;
+};
+
+std::vector<TileBoxes> tile_boxes(const math::Mat4& clip_from_world, math::Extent size,
+                                  const CellDepths* depths) {
+    const std::uint32_t each = depths == nullptr ? tile_px : cell_px;
+    const std::uint32_t tiles_across = count_of(size.width, tile_px);
+    const std::uint32_t across = count_of(size.width, each);
+    const std::uint32_t down = count_of(size.height, each);
+    const math::Mat4 world_from_clip = math::inverse(clip_from_world);
+    const auto ndc = [each](std::uint32_t cell, std::uint32_t pixels) {
+        return static_cast<float>(cell * each) / static_cast<float>(pixels) * 2.0F - 1.0F;
+    };
+    std::vector<TileBoxes> out(std::size_t{tiles_across} * count_of(size.height, tile_px));
+    for (std::uint32_t y = 0; y < down; ++y)
+        for (std::uint32_t x = 0; x < across; ++x) {
+            const std::size_t cell = std::size_t{y} * across + x;
+            const float near = depths == nullptr ? 0.0F : depths->near[cell];
+            const float far = depths == nullptr ? 1.0F : depths->far[cell];
+            if (far < near) continue;  // nothing is seen there
+            const math::Bounds box =
+                tile_bounds(world_from_clip, {ndc(x, size.width), ndc(y, size.height)},
+                            {ndc(x + 1, size.width), ndc(y + 1, size.height)}, near, far);
+            TileBoxes& tile =
+                out[std::size_t{y * each / tile_px} * tiles_across + x * each / tile_px];
+            tile.cells.push_back(box);
+            tile.whole.add(box.low);
+            tile.whole.add(box.high);
+        }
+    return out;
+}
+
+bool lights_any(const TileBoxes& tile, const Vec4* light) {
+    const auto is_lit = [&](const math::Bounds& box) {
+        return touches(box, light[0]) && is_before(box, light);
+    };
+    return !tile.cells.empty() && is_lit(tile.whole) && std::ranges::any_of(tile.cells, is_lit);
+}
+
 }  // namespace
 
 PackedLights pack_lights(std::span<const scene::Light> lights, bool with_rays) {
@@ -165,54 +211,37 @@ PackedLights pack_lights(std::span<const scene::Light> lights, bool with_rays) {
     return packed;
 }
 
-TileDepths tile_depths(std::span<const float> depth, math::Extent size) {
-    const std::uint32_t across = (size.width + tile_px - 1) / tile_px;
-    const std::uint32_t down = (size.height + tile_px - 1) / tile_px;
-    TileDepths out{std::vector<float>(std::size_t{across} * down, 1.0F),
+CellDepths cell_depths(std::span<const float> depth, math::Extent size) {
+    const std::uint32_t across = count_of(size.width, cell_px);
+    const std::uint32_t down = count_of(size.height, cell_px);
+    CellDepths out{std::vector<float>(std::size_t{across} * down, 1.0F),
                    std::vector<float>(std::size_t{across} * down, 0.0F)};
     for (std::uint32_t y = 0; y < size.height; ++y)
-        for (std::uint32_t t = 0; t < across; ++t) {
+        for (std::uint32_t c = 0; c < across; ++c) {
             const float* row = depth.data() + std::size_t{y} * size.width;
-            const std::size_t tile = std::size_t{y / tile_px} * across + t;
-            const std::uint32_t end = std::min(size.width, (t + 1) * tile_px);
-            for (std::uint32_t x = t * tile_px; x < end; ++x) {
-                out.near[tile] = std::min(out.near[tile], row[x]);
-                out.far[tile] = std::max(out.far[tile], row[x] < 1.0F ? row[x] : 0.0F);
+            const std::size_t cell = std::size_t{y / cell_px} * across + c;
+            const std::uint32_t end = std::min(size.width, (c + 1) * cell_px);
+            for (std::uint32_t x = c * cell_px; x < end; ++x) {
+                out.near[cell] = std::min(out.near[cell], row[x]);
+                out.far[cell] = std::max(out.far[cell], row[x] < 1.0F ? row[x] : 0.0F);
             }
         }
     return out;
 }
 
 LightLists build_light_lists(const PackedLights& lights, const math::Mat4& clip_from_world,
-                             math::Extent size, const TileDepths* depths) {
-    const std::uint32_t across = (size.width + tile_px - 1) / tile_px;
-    const std::uint32_t down = (size.height + tile_px - 1) / tile_px;
-    const math::Mat4 world_from_clip = math::inverse(clip_from_world);
-    const std::size_t tile_count = std::size_t{across} * down;
-    std::vector<math::Bounds> bounds(tile_count);
-    const auto ndc = [](std::uint32_t tile, std::uint32_t pixels) {
-        return static_cast<float>(tile * tile_px) / static_cast<float>(pixels) * 2.0F - 1.0F;
-    };
-    for (std::size_t t = 0; t < tile_count; ++t) {
-        const float near = depths == nullptr ? 0.0F : depths->near[t];
-        const float far = depths == nullptr ? 1.0F : depths->far[t];
-        if (far < near) continue;  // nothing is seen there; the box stays empty and touches nothing
-        const auto x = static_cast<std::uint32_t>(t % across);
-        const auto y = static_cast<std::uint32_t>(t / across);
-        bounds[t] = tile_bounds(world_from_clip, {ndc(x, size.width), ndc(y, size.height)},
-                                {ndc(x + 1, size.width), ndc(y + 1, size.height)}, near, far);
-    }
-    std::vector<std::vector<std::uint16_t>> lists(tile_count);
+                             math::Extent size, const CellDepths* depths) {
+    const std::uint32_t across = count_of(size.width, tile_px);
+    const std::uint32_t down = count_of(size.height, tile_px);
+    const std::vector<TileBoxes> boxes = tile_boxes(clip_from_world, size, depths);
+    std::vector<std::vector<std::uint16_t>> lists(boxes.size());
     for (std::uint32_t i = lights.directional_count; i < lights.count; ++i) {
         const Vec4* const light = &lights.texels[std::size_t{i} * light_texels];
-        const Vec4& position = light[0];
-        const TileRange range = tile_range(position, clip_from_world, size, across, down);
+        const TileRange range = tile_range(light[0], clip_from_world, size, across, down);
         for (std::uint32_t y = range.y0; y < range.y1; ++y)
             for (std::uint32_t x = range.x0; x < range.x1; ++x) {
                 const std::size_t t = std::size_t{y} * across + x;
-                if (!bounds[t].is_empty() && touches(bounds[t], position) &&
-                    is_before(bounds[t], light))
-                    lists[t].push_back(static_cast<std::uint16_t>(i));
+                if (lights_any(boxes[t], light)) lists[t].push_back(static_cast<std::uint16_t>(i));
             }
     }
     LightLists out{.tiles_across = across};

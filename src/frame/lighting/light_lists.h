@@ -51,20 +51,24 @@ struct LightLists {
     std::vector<std::uint16_t> indices;  ///< of PackedLights
 };
 
-/// Nearest and farthest surface of a picture, in window depth [0, 1], by tile; empty tiles have far
+/// Tiles are looked at in cells of this many pixels: a tile on an edge sees two places, and not
+/// what lies between.
+inline constexpr std::uint32_t cell_px = 4;
+
+/// Nearest and farthest surface of a picture, in window depth [0, 1], by cell; empty ones have far
 /// < near.
-struct TileDepths {
+struct CellDepths {
     std::vector<float> near;
     std::vector<float> far;
 };
 /// `depth` is [height, width] from the bottom.
-[[nodiscard]] TileDepths tile_depths(std::span<const float> depth, math::Extent size);
+[[nodiscard]] CellDepths cell_depths(std::span<const float> depth, math::Extent size);
 
-/// A light is in a tile's list when its sphere touches the box around what is seen through the
-/// tile; lights without range are in all. `depths` may be null: the whole depth is taken.
-/// Deterministic, index order.
+/// A light is in a tile's list when its sphere touches the box around what is seen through one of
+/// the tile's cells; lights without range are in all. `depths` may be null: the whole depth is
+/// taken. Deterministic, index order.
 [[nodiscard]] LightLists build_light_lists(const PackedLights& lights,
                                            const math::Mat4& clip_from_world, math::Extent size,
-                                           const TileDepths* depths);
+                                           const CellDepths* depths);
 
 }  // namespace facet::frame
