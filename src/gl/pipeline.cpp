@@ -27,6 +27,7 @@ void set_pipeline(const Context& gl, const Pipeline& pipeline) {
     else
         api.BlendFuncSeparate(from, to, GL_ONE, to);
     enable(api, GL_SCISSOR_TEST, pipeline.scissor);
+    enable(api, GL_DEPTH_CLAMP, !pipeline.clips_depth);
     enable(api, GL_CULL_FACE, pipeline.cull != Cull::none);
     api.CullFace(pipeline.cull == Cull::front ? GL_FRONT : GL_BACK);
     api.FrontFace(GL_CCW);

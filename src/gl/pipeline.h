@@ -20,6 +20,7 @@ struct Pipeline {
     Blend blend = Blend::off;
     Cull cull = Cull::none;
     bool scissor = false;
+    bool clips_depth = true;  ///< else what is beyond the near or far plane is drawn on it
 };
 
 /// Binds the framebuffer with a viewport of its size, the program, and sets every state.

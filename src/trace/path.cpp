@@ -89,8 +89,9 @@ private:
         if constexpr (books == Books::gathered)
             if (bounce_ == 1 && passed_ == 0) add_open_sky();
         if (from_camera() && world_.scene.ground) {
+            // The ground goes on beyond the far plane.
             Ray to_hit = ray_;
-            if (found) to_hit.far_m = hit.distance_m;
+            to_hit.far_m = found ? hit.distance_m : Ray{}.far_m;
             if (const auto ground = meet_ground(world_, to_hit)) {
                 add_ground(*ground);
                 return false;

@@ -72,6 +72,31 @@ TEST(Ground, IsNothingWhereTheSceneChangesNothing) {
     }
 }
 
+/// Sum of what the picture covers, in pixels.
+double coverage(const Request& request) {
+    const Rendered picture = rendered(request);
+    double sum = 0.0;
+    const auto values = picture.layers.front().image.as<float>();
+    for (std::size_t i = 3; i < values.size(); i += 4) sum += static_cast<double>(values[i]);
+    return sum;
+}
+
+// A long shadow away from the eye: the far plane lies just behind the ball.
+TEST(Ground, GoesOnBeyondTheFarPlane) {
+    Request request = ball_on_the_ground();
+    request.settings.camera = "orbit:azimuth=20,elevation=25";
+    request.settings.env = "black";
+    request.settings.background = "none";
+    request.settings.light = {"directional:azimuth=20,elevation=12,lux=3"};
+    for (const char* const reference : {"", "8"}) {
+        request.settings.reference = reference;
+        request.settings.ground = "shadow";
+        const double with = coverage(request);
+        request.settings.ground = "off";
+        EXPECT_GT(with - coverage(request), 50.0) << reference;
+    }
+}
+
 TEST(Ground, NeedsAHeight) {
     Request request = ball_on_the_ground();
     base::Log log;

@@ -15,8 +15,12 @@ base::Status GroundPass::run(const gl::Context& gl, const gl::Texture& share,
         gl::bind_sampler(gl, program_, "ground_share", 0);
         sampler_ = gl::make_sampler(gl, {.min_filter = GL_LINEAR, .mag_filter = GL_LINEAR});
     }
+    // The far plane is behind the scene, and the ground goes on.
     gl::begin_draw(gl, out.framebuffer, out.size, program_,
-                   {.depth_func = GL_LESS, .blend = gl::Blend::multiply, .cull = gl::Cull::back});
+                   {.depth_func = GL_LEQUAL,
+                    .blend = gl::Blend::multiply,
+                    .cull = gl::Cull::back,
+                    .clips_depth = false});
     gl::bind_texture(gl, 0, GL_TEXTURE_2D, share, &sampler_);
     gl.api().BindVertexArray(empty.name());
     constexpr GLsizei corners = 6;
