@@ -4,6 +4,7 @@
 
 #include "math/color.h"
 #include "trace/lobe_weight.h"
+#include "trace/mean.h"
 #include "trace/open_light.h"
 #include "trace/smooth.h"
 
@@ -20,22 +21,6 @@ constexpr std::uint32_t tile_places = 16;
 constexpr std::uint32_t smooth_passes = 5;
 /// Draws of the open sky at a place: they need no ray.
 constexpr std::uint32_t open_draws = 16;
-
-struct Mean {
-    double sum = 0.0;
-    double squares = 0.0;
-    void add(float x) {
-        sum += static_cast<double>(x);
-        squares += static_cast<double>(x) * static_cast<double>(x);
-    }
-    /// Of the mean of n.
-    [[nodiscard]] float variance(std::uint32_t n) const {
-        const double mean = sum / n;
-        // A single draw says nothing of its error: as much as itself.
-        if (n < 2) return static_cast<float>(mean * mean);
-        return static_cast<float>(std::max(squares / n - mean * mean, 0.0) / (n - 1));
-    }
-};
 
 class Gatherer {
 public:

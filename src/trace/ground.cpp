@@ -3,6 +3,7 @@
 #include "trace/ground.h"
 
 #include "math/color.h"
+#include "trace/mean.h"
 #include "trace/smooth.h"
 
 #include <algorithm>
@@ -21,19 +22,17 @@ constexpr float most_share = 8.0F;
 GatheredMeans light_place(const World& world, const Vec3& place, Cone cone, std::uint32_t number,
                           std::uint32_t seed, std::uint32_t count) {
     GatheredMeans out{.has_diffuse = 1.0F, .has_specular = 1.0F};
-    float squares = 0.0F;
+    Mean lit;
     for (std::uint32_t i = 0; i < count; ++i) {
         Sequence sequence(number, i, seed);
         std::uint32_t rays = 0;
         const Vec3 share =
             glm::min(ground_share(world, place, cone, sequence, rays), Vec3(most_share));
         out.rest += share;
-        squares += math::luminance(share) * math::luminance(share);
+        lit.add(math::luminance(share));
     }
-    const auto n = static_cast<float>(count);
-    out.rest /= n;
-    const float mean = math::luminance(out.rest);
-    out.diffuse_variance = std::max(squares / n - mean * mean, 0.0F) / std::max(n - 1.0F, 1.0F);
+    out.rest /= static_cast<float>(count);
+    out.diffuse_variance = lit.variance(count);
     return out;
 }
 
@@ -59,28 +58,28 @@ GroundPixels light_ground(const World& world, const Seen& seen, const GatherSett
                             (seen.size.height + stride - 1) / stride};
     std::vector<GatherPoint> points(size.pixels());
     std::vector<GatheredMeans> means(size.pixels());
+    // In the middle of a place's square.
+    const auto pixel = [stride](std::size_t place, std::uint32_t pixels) {
+        return std::min(static_cast<std::uint32_t>(place) * stride + stride / 2, pixels - 1);
+    };
     const auto rows = [&](std::uint32_t paths, auto wants) {
         pool.parallel_for(size.height, [&](std::size_t row) {
             for (std::uint32_t x = 0; x < size.width; ++x) {
                 if (settings.cancelled != nullptr && settings.cancelled->load()) return;
                 const std::size_t at = row * size.width + x;
                 if (!points[at].is_surface || !wants(at)) continue;
-                const std::uint32_t px = std::min(x * stride + stride / 2, seen.size.width - 1);
-                const std::uint32_t py = std::min(
-                    static_cast<std::uint32_t>(row) * stride + stride / 2, seen.size.height - 1);
                 means[at] = light_place(
                     world, points[at].position_m,
                     {points[at].spacing_m / static_cast<float>(stride), seen.pixel_spread},
-                    seen.number_of(px, py), settings.seed + 3, paths);
+                    seen.number_of(pixel(x, seen.size.width), pixel(row, seen.size.height)),
+                    settings.seed + 3, paths);
             }
         });
     };
     pool.parallel_for(size.height, [&](std::size_t row) {
         for (std::uint32_t x = 0; x < size.width; ++x) {
-            const std::uint32_t px = std::min(x * stride + stride / 2, seen.size.width - 1);
-            const std::uint32_t py = std::min(static_cast<std::uint32_t>(row) * stride + stride / 2,
-                                              seen.size.height - 1);
-            const auto place = meet_ground(world, seen.ray(px, py));
+            const auto place = meet_ground(
+                world, seen.ray(pixel(x, seen.size.width), pixel(row, seen.size.height)));
             if (!place) continue;
             points[row * size.width + x] = {
                 .position_m = *place,

@@ -3,6 +3,7 @@
 //   normal as in Intel's XeGTAO (2021), Algorithm 2 of that paper. In world space, with slices through the eye.
 #include "shared/view.h"
 layout(std140) uniform ViewBlock { View view; };
+#include "lib/noise.glsl"
 #include "lib/octahedral.glsl"
 #include "lib/spaces.glsl"
 
@@ -45,7 +46,7 @@ void main() {
     float radius_m = view.occlusion.x;
     float pixel_m = view.pixel.x + view.pixel.y * dot(p - view.eye_m.xyz, view.forward.xyz);
     float radius_px = clamp(radius_m / max(pixel_m, 1e-9), 2.0, 0.3 * view.size_px.y);
-    float noise = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))) + view.pixel.z * 0.6180340);
+    float noise = pixel_noise(gl_FragCoord.xy, view.pixel.z);
     float noise2 = fract(noise * 7.13 + view.pixel.z * 0.7548777);
     float visible = 0.0;
     vec3 bent = vec3(0.0);

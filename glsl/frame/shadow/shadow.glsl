@@ -1,6 +1,8 @@
 // Share of a light that reaches a point, from maps of its depths. Included by shade.glsl.
 //   Percentage-closer filtering (Reeves, Salesin & Cook 1987) over a disk as wide as the penumbra, which the mean depth of
 //   what stands in the way gives: Fernando 2005, "Percentage-Closer Soft Shadows".
+#include "lib/noise.glsl"
+
 uniform sampler2D shadow_atlas;
 // A texel a light: first texel of its views, how many, radius (of parallel light per metre), kind; then six texels a view: four
 // columns of clip_from_world; its tile's corner, width, and width of a texel; near, far, share of its width that a metre fills.
@@ -63,7 +65,7 @@ float shadow_share(int light, vec3 position_m, vec3 normal, vec3 from_light, flo
     if (clip.w <= 0.0 || any(lessThan(at, vec3(0.0))) || any(greaterThan(at, vec3(1.0)))) return 1.0;
     float own_m = shadow_metres(v, is_parallel, at.z);
     float per_m = is_parallel ? v.range.z : v.range.z / own_m;  // share of the width, at the surface
-    float turn = 6.2831853 * fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))) + view.pixel.z * 0.6180340);
+    float turn = 6.2831853 * pixel_noise(gl_FragCoord.xy, view.pixel.z);
     // What lies before a surface that is seen at a slant rises with the distance from the middle.
     float slope = min(sine / max(n_dot_l, 0.05), 5.0);
     float filter_width = v.tile.w;

@@ -5,8 +5,6 @@
 #include "frame/lighting/lighting.h"
 #include "frame/shared.h"
 
-#include <optional>
-
 namespace facet::frame {
 
 class GroundPass {
