@@ -165,6 +165,20 @@ LocalLight local_light(uint index, vec3 position_m) {
 #endif
     return light;
 }
+// The next place in the lists, from `index` on, whose light reaches so far; `end` where none does.
+uint next_light(uint index, uint end, vec3 position_m) {
+    while (index < end) {
+#ifndef FACET_EXPLAIN
+        vec4 place = texelFetch(lights, int(texelFetch(light_indices, int(index)).x) * LIGHT_TEXELS);
+        vec3 way = place.xyz - position_m;
+        if (dot(way, way) * place.w < 1.0) break;
+        ++index;
+#else
+        break;  // it tells of all
+#endif
+    }
+    return index;
+}
 #endif
 
 vec3 shade(ShadePoint p) {
@@ -246,12 +260,14 @@ vec3 shade(ShadePoint p) {
 #if FACET_LIGHT_PATHS
     is_environments = false;
 #endif
-    // A software renderer works on both sides of a branch: lights of a kind have a loop of their own.
+    // A software renderer works on both sides of a branch, and on all pixels of a group until the last is done: lights of a
+    // kind have a loop of their own, and each pixel looks for the next light that reaches it before they work on theirs.
     uvec2 tile = uvec2(gl_FragCoord.xy) / TILE_PX;
     uvec2 list = texelFetch(light_tiles, int(tile.y * view.light_counts.z + tile.x)).xy;
-    uint points = list.y & 0xFFFFu;
-    for (uint i = 0u; i < points; ++i) {
-        LocalLight light = local_light(list.x + i, p.position_m);
+    uint end = list.x + (list.y & 0xFFFFu);
+    uint i = next_light(list.x, end, p.position_m);
+    while (i < end) {
+        LocalLight light = local_light(i, p.position_m);
         vec4 direction_offset = texelFetch(lights, light.texel + 2);
         float cone = light_spot(-dot(light.way, direction_offset.xyz), light.color.w, direction_offset.w);
         vec3 illuminance = light_point(light.color.rgb, light.distance2, light.place.w) * cone;
@@ -259,13 +275,16 @@ vec3 shade(ShadePoint p) {
         illuminance *= profile_share(light.texel, -light.way, direction_offset.xyz);
 #endif
         radiance += lit_by(p, brdf, light.way, illuminance,
-                           light_visible(view.light_counts.x + i, light.texel / LIGHT_TEXELS, p, p.position_m - light.place.xyz));
+                           light_visible(view.light_counts.x + i - list.x, light.texel / LIGHT_TEXELS, p, p.position_m - light.place.xyz));
+        i = next_light(i + 1u, end, p.position_m);
     }
 #if FACET_AREA_LIGHTS
     AreaView area_point = area_view(p, n_dot_v);
     BrdfValue area_weight = brdf_environment(brdf);
-    for (uint i = points; i < points + (list.y >> 16u); ++i) {
-        LocalLight light = local_light(list.x + i, p.position_m);
+    uint area_end = end + (list.y >> 16u);
+    i = next_light(end, area_end, p.position_m);
+    while (i < area_end) {
+        LocalLight light = local_light(i, p.position_m);
         vec4 x_kind = texelFetch(lights, light.texel + 3);
         vec3 half_y = texelFetch(lights, light.texel + 4).xyz;
         SeenArea area = seen_area(x_kind.w, light.place.xyz - p.position_m, x_kind.xyz, half_y);
@@ -274,6 +293,7 @@ vec3 shade(ShadePoint p) {
         nit *= light_visible(0u, light.texel / LIGHT_TEXELS, p, p.position_m - light.place.xyz);
 #endif
         radiance += lit_by_area(area_point, area_weight, area, nit);
+        i = next_light(i + 1u, area_end, p.position_m);
     }
 #endif
 #endif
