@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-# Makes resources/scenes/*.glb from nothing, the same bytes on every run: make_resources.py NAME...
+# Makes resources/scenes/*.glb and resources/lamps/*.ies from nothing, the same bytes on every run: make_resources.py NAME...
 # SPDX-License-Identifier: MIT
 # Needs Debian's python3-numpy and python3-pil; what it makes is committed, so a build needs
 # neither.
 import sys
 from pathlib import Path
 
-from make_resources import check, cornell, grids, showcase
+from make_resources import check, cornell, grids, lamps, showcase
 
 COPYRIGHT = "CC0-1.0, the Facet project"
 SCENES = {
@@ -19,14 +19,19 @@ SCENES = {
 
 
 def main(names):
-    folder = Path(__file__).resolve().parent.parent / "resources" / "scenes"
-    folder.mkdir(parents=True, exist_ok=True)
-    for name in names or SCENES:
-        if name not in SCENES:
-            sys.exit(f"make_resources: no scene {name}; there are {' '.join(SCENES)}")
+    resources = Path(__file__).resolve().parent.parent / "resources"
+    known = [*SCENES, *lamps.LAMPS]
+    for name in names or known:
+        if name not in known:
+            sys.exit(f"make_resources: no {name}; there are {' '.join(known)}")
+        if name in lamps.LAMPS:
+            target = resources / "lamps" / f"{name}.ies"
+            target.write_text(lamps.LAMPS[name]())
+            print(target)
+            continue
         data = SCENES[name](COPYRIGHT)
         report = check.check(data)
-        target = folder / f"{name}.glb"
+        target = resources / "scenes" / f"{name}.glb"
         target.write_bytes(data)
         print(f"{target}: {report}")
 

@@ -29,6 +29,7 @@ bool is_texture_path(std::string_view path) {
                                [&](const auto& row) { return row.key == key; });
 }
 
+bool is_builtin(std::string_view name) { return name.starts_with("builtin:"); }
 bool is_light_file_path(std::string_view path) {
     return path.starts_with("light") && path.ends_with(".file");
 }
@@ -60,7 +61,7 @@ base::Status JobPaths::resolve_scenes(const Given& given, std::vector<Json>& sce
         if (!value.is_string()) return invalid("a scene is a text", value.dump());
         const auto& text = value.get_ref<const std::string&>();
         if (text == "-") return invalid("a job reads no standard input", text, "give a file");
-        if (text.starts_with("builtin:")) {
+        if (is_builtin(text)) {
             out.emplace_back(text);
             continue;
         }
@@ -92,7 +93,8 @@ base::Status JobPaths::resolve(const Given& given, Json& value) const {
     };
     if (given.kind == AxisKind::path) {
         const bool is_file = (is_texture_path(given.key) || is_light_file_path(given.key)) &&
-                             value.is_string() && value != "none";
+                             value.is_string() && value != "none" &&
+                             !is_builtin(value.get_ref<const std::string&>());
         return is_file ? resolve_text(value) : base::Status{};
     }
     if (given.key == "env" && value.is_string()) {
@@ -104,7 +106,8 @@ base::Status JobPaths::resolve(const Given& given, Json& value) const {
         for (Json& one : value.is_array() ? value : value = Json::array({value})) {
             if (!one.is_string()) continue;
             const auto light = scene::with_light_file(
-                one.get<std::string>(), [&](const std::string& file) { return in_job(file); });
+                one.get<std::string>(),
+                [&](const std::string& file) { return is_builtin(file) ? file : in_job(file); });
             if (!light) return tl::unexpected(light.error());
             one = *light;
         }

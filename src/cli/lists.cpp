@@ -6,6 +6,7 @@
 #include "base/thread_pool.h"
 #include "brdf/presets.h"
 #include "cli/scene_options.h"
+#include "scene/light_profile.h"
 #include "scene/load.h"
 #include "scene/material_file.h"
 #include "tables/aovs.h"
@@ -43,6 +44,12 @@ Entries list_scenes(const std::string&) {
     std::vector<Entry> entries;
     for (const std::string& name : scene::builtin_scene_names())
         entries.push_back({fmt::format("builtin:{}", name), ""});
+    return entries;
+}
+Entries list_lamps(const std::string&) {
+    std::vector<Entry> entries;
+    for (const std::string& name : scene::builtin_lamp_names())
+        entries.push_back({fmt::format("ies:file=builtin:{}", name), ""});
     return entries;
 }
 Entries list_environments(const std::string&) {
@@ -138,11 +145,12 @@ struct Listing {
     std::string_view name;
     Entries (*entries)(const std::string& scene);
 };
-constexpr Listing listings[] = {{"scenes", list_scenes},     {"environments", list_environments},
-                                {"cameras", list_cameras},   {"materials", list_materials},
-                                {"lights", list_lights},     {"aovs", list_aovs},
-                                {"tonemaps", list_tonemaps}, {"brdf", list_brdf},
-                                {"presets", list_presets},   {"lessons", list_lessons}};
+constexpr Listing listings[] = {{"scenes", list_scenes},   {"environments", list_environments},
+                                {"cameras", list_cameras}, {"materials", list_materials},
+                                {"lights", list_lights},   {"lamps", list_lamps},
+                                {"aovs", list_aovs},       {"tonemaps", list_tonemaps},
+                                {"brdf", list_brdf},       {"presets", list_presets},
+                                {"lessons", list_lessons}};
 
 std::vector<std::string> names() {
     std::vector<std::string> out;

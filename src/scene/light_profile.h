@@ -6,7 +6,6 @@
 #include "scene/scene.h"
 
 #include <cstddef>
-#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,8 +30,12 @@ struct LightProfile {
 /// the line), feature_missing (types A and B).
 [[nodiscard]] base::Result<LightProfile> parse_profile(std::string_view text);
 
-/// The same from a file of at most 4 MiB; `file` is its path.
-[[nodiscard]] base::Result<LightProfile> read_profile(const std::filesystem::path& path);
+/// The same from a file of at most 4 MiB, or "builtin:NAME" (a file of resources/lamps); `file` is
+/// that name. Errors: usage too, where there is no such lamp.
+[[nodiscard]] base::Result<LightProfile> read_profile(const std::string& name);
+
+/// What can follow "builtin:", sorted.
+[[nodiscard]] std::vector<std::string> builtin_lamp_names();
 
 /// The lamp's axes, as glsl/light/profile.glsl has them: azimuth 0 is level, and to the right of a
 /// lamp that shines down as one looks along -z.

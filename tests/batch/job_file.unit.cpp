@@ -208,6 +208,18 @@ TEST(JobFile, EmptyJobsAreNoJobs) {
         EXPECT_EQ(base::exit_code(parse(text).problems.errors.front().code), 3) << text;
 }
 
+TEST(JobFile, LampsOfItsOwnAreNoFilesOfTheJob) {
+    const auto parsed = parse(
+        job_of(R"("scene": "builtin:ball", "light": "ies:file=builtin:downlight,position=0 1 0")"));
+    ASSERT_TRUE(parsed.job) << parsed.first();
+    EXPECT_NE(parsed.job->item(0)->settings.light.at(0).find("file=builtin:downlight"),
+              std::string::npos);
+    EXPECT_NE(parse(job_of(R"("scene": "builtin:ball", "light": "ies:file=/etc/lamp.ies")"))
+                  .first()
+                  .find("outside"),
+              std::string::npos);
+}
+
 TEST(JobFile, AByteOrderMarkIsAWarning) {
     const auto parsed = parse("\xEF\xBB\xBF" + job_of(R"("scene": "builtin:ball")"));
     EXPECT_TRUE(parsed.job);

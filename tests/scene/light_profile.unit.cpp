@@ -126,6 +126,18 @@ TEST(LightProfile, SetsTheCandelaOfItsLight) {
     EXPECT_NEAR(lumen->intensity, 100.0F / math::pi, 0.02F);
     EXPECT_EQ(light_key_text(*own, "file"), file.string());
     EXPECT_FALSE(parse_light("ies:file=nowhere.ies"));
+
+    ASSERT_EQ(builtin_lamp_names().size(), 3U);
+    for (const std::string& name : builtin_lamp_names()) {
+        const auto lamp = parse_light("ies:file=builtin:" + name);
+        ASSERT_TRUE(lamp) << name;
+        EXPECT_EQ(lamp->intensity, 1000.0F) << name;
+        EXPECT_EQ(light_key_text(*lamp, "file"), "builtin:" + name);
+    }
+    const auto unknown = parse_light("ies:file=builtin:downlihgt");
+    ASSERT_FALSE(unknown);
+    EXPECT_EQ(unknown.error().code, base::ErrorCode::usage);
+    EXPECT_NE(unknown.error().remedy.find("downlight"), std::string::npos);
     EXPECT_FALSE(parse_light("point:file=" + file.string()));
     std::filesystem::remove(file);
 }
