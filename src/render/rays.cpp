@@ -93,6 +93,8 @@ trace::GatherSettings TracedRays::settings() const {
             .seed = seed_,
             .mirrored_alpha = plan_.mirrored_alpha,
             .intricate = plan_.intricate,
+            .most_at_sample = plan_.most_at_sample,
+            .frames = frames_,
             .cancelled = &cancelled_,
             .expected = {}};
 }

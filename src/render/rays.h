@@ -21,9 +21,10 @@ struct RayScene {
 
 class TracedRays final : public frame::Rays {
 public:
-    TracedRays(const RayScene& scene, const tables::RayBudget& plan, std::uint32_t seed,
-               base::ThreadPool& pool)
-        : scene_(scene), plan_(plan), seed_(seed), pool_(pool) {}
+    /// `frames`: how many samples a pixel gets.
+    TracedRays(const RayScene& scene, const tables::RayBudget& plan, std::uint32_t frames,
+               std::uint32_t seed, base::ThreadPool& pool)
+        : scene_(scene), plan_(plan), frames_(frames), seed_(seed), pool_(pool) {}
     /// Makes indirect() return early, with nothing of use.
     void cancel() { cancelled_ = true; }
 
@@ -44,6 +45,7 @@ private:
 
     RayScene scene_;
     tables::RayBudget plan_;
+    std::uint32_t frames_;
     std::uint32_t seed_;
     base::ThreadPool& pool_;
     std::atomic<bool> cancelled_ = false;

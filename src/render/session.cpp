@@ -176,7 +176,7 @@ base::Status Session::make_rays() {
         tracer_ = std::make_unique<trace::Tracer>(std::move(*made));
     }
     rays_ = std::make_unique<TracedRays>(RayScene{*tracer_, scene_, *ray_lights_}, plan_.rays,
-                                         settings_.seed, *pool_);
+                                         plan_.sample_count, settings_.seed, *pool_);
     return {};
 }
 

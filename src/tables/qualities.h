@@ -18,7 +18,8 @@ struct RayBudget {
     std::uint32_t apart = 1;         ///< places from one that is drawn for to the next
     std::uint32_t bounces = 64;
     float mirrored_alpha = 0.0F;  ///< what smoother surfaces mirror gets a path at every frame,
-    std::uint32_t intricate = 0;  ///< and all light this many where surfaces are finer than pixels
+    std::uint32_t intricate = 0;  ///< and all light this many where surfaces are finer than pixels;
+    std::uint32_t most_at_sample = 1;  ///< up to so many where that leaves it too uncertain
     bool operator==(const RayBudget&) const = default;
     [[nodiscard]] constexpr bool any() const { return shadows || samples > 0; }
 };

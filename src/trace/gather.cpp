@@ -19,6 +19,10 @@ using math::Vec4;
 /// Places are gathered in squares of this many, which see the same triangles.
 constexpr std::uint32_t tile_places = 16;
 constexpr std::uint32_t smooth_passes = 5;
+/// A surface where fewer of 8 neighbours are alike is finer than pixels.
+constexpr float few_helpers = 4.0F;
+/// Share of the mean light that may be uncertain in the dark.
+constexpr float dark = 0.1F;
 /// Draws of the open sky at a place: they need no ray.
 constexpr std::uint32_t open_draws = 16;
 
@@ -33,7 +37,8 @@ public:
           places_(size_.pixels()),
           points_(size_.pixels()),
           means_(size_.pixels()),
-          expected_(size_.pixels()) {}
+          expected_(size_.pixels()),
+          at_sample_(size_.pixels(), 1) {}
 
     IndirectPixels run(base::ThreadPool& pool) {
         tiles(pool, [&](std::uint32_t x, std::uint32_t y) { find_place(x, y); });
@@ -41,6 +46,7 @@ public:
         draw_left_out(helpers, pool);
         draw_more(helpers, pool);
         even_variances(size_, points_, means_, settings_.apart, pool);
+        count_at_samples(helpers);
         const float even = scale_specular();
         smooth(size_, points_, means_, smooth_passes, pool);
         compose_specular(even);
@@ -190,27 +196,66 @@ private:
         place.specular_weight = math::luminance(weight.specular);
     }
 
+    /// Light that the surface at a place sends to the eye, nit.
+    [[nodiscard]] float seen_nit(std::size_t at) const {
+        const GatheredMeans& mean = means_[at];
+        return places_[at].diffuse_weight * math::luminance(mean.sky + mean.rest) +
+               places_[at].specular_weight * math::luminance(mean.specular);
+    }
+    /// Its variance, of each lobe by a share.
+    [[nodiscard]] static float seen_variance(const Place& place, const GatheredMeans& mean,
+                                             const Helpers& share) {
+        const float diffuse = place.diffuse_weight;
+        const float specular = place.specular_weight;
+        return diffuse * diffuse * mean.diffuse_variance * share.diffuse +
+               specular * specular * mean.specular_variance * share.specular;
+    }
+    /// Over all places that were drawn for, nit; above 0.
+    [[nodiscard]] float mean_seen() const {
+        double sum = 0.0;
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < means_.size(); ++i) {
+            if (places_[i].count == 0) continue;
+            sum += static_cast<double>(seen_nit(i));
+            ++count;
+        }
+        return static_cast<float>(sum / std::max(1.0, static_cast<double>(count))) + 1e-18F;
+    }
+
     /// Paths that a place needs for its light to be as certain as asked once it is smoothed.
     [[nodiscard]] std::uint32_t needed(std::size_t at, const GatheredMeans& even,
                                        const Helpers& helpers, float least_nit) const {
         const Place& place = places_[at];
-        const GatheredMeans& mean = means_[at];
-        const float diffuse = place.diffuse_weight;
-        const float specular = place.specular_weight;
-        const float nit = diffuse * math::luminance(mean.sky + mean.rest) +
-                          specular * math::luminance(mean.specular);
         // What a filter of several passes makes of a place that is like its neighbours.
         const auto left = [](float helpers_of_lobe) {
             return 1.0F / (1.0F + 0.5F * helpers_of_lobe * helpers_of_lobe);
         };
         const float variance =
-            diffuse * diffuse * even.diffuse_variance * left(helpers.diffuse) +
-            specular * specular * even.specular_variance * left(helpers.specular);
-        const float allowed = settings_.error * (nit + least_nit);
+            seen_variance(place, even, {left(helpers.diffuse), left(helpers.specular)});
+        const float allowed = settings_.error * (seen_nit(at) + least_nit);
         const float times = variance / (allowed * allowed);
         const float wanted = times * static_cast<float>(place.count);
         if (!(wanted < static_cast<float>(settings_.most_samples))) return settings_.most_samples;
         return std::max(place.count, static_cast<std::uint32_t>(wanted));
+    }
+
+    /// How many paths each sample of a frame needs for the mean over the frames to be as certain
+    /// as asked; nothing smooths those.
+    void count_at_samples(const std::vector<Helpers>& helpers) {
+        if (settings_.most_at_sample <= 1) return;
+        const float least = dark * mean_seen();
+        for (std::size_t i = 0; i < means_.size(); ++i) {
+            const Place& place = places_[i];
+            if (place.count == 0) continue;
+            const auto draws = static_cast<float>(place.count);
+            const float variance = seen_variance(
+                place, means_[i], {helpers[i].diffuse < few_helpers ? 1.0F : 0.0F, 1.0F});
+            const float allowed = settings_.error * (seen_nit(i) + least);
+            const float needed =
+                variance * draws / (allowed * allowed * static_cast<float>(settings_.frames));
+            at_sample_[i] = static_cast<std::uint8_t>(
+                std::clamp(needed, 1.0F, static_cast<float>(settings_.most_at_sample)));
+        }
     }
 
     /// More paths where the first ones disagree.
@@ -218,21 +263,10 @@ private:
         if (settings_.most_samples <= settings_.samples) return;
         std::vector<GatheredMeans> even = means_;
         even_variances(size_, points_, even, settings_.apart, pool);
-        double sum = 0.0;
-        std::size_t count = 0;
-        for (std::size_t i = 0; i < means_.size(); ++i) {
-            if (places_[i].count == 0) continue;
-            sum += static_cast<double>(
-                places_[i].diffuse_weight * math::luminance(means_[i].sky + means_[i].rest) +
-                places_[i].specular_weight * math::luminance(means_[i].specular));
-            ++count;
-        }
-        constexpr float dark = 0.1F;  // of the mean: what is darker may be as uncertain as that
-        const auto least = static_cast<float>(sum / std::max(1.0, static_cast<double>(count)));
+        const float least = dark * mean_seen();
         std::vector<std::uint32_t> wanted(means_.size());
         for (std::size_t i = 0; i < means_.size(); ++i)
-            if (places_[i].count > 0)
-                wanted[i] = needed(i, even[i], helpers[i], dark * least + 1e-20F);
+            if (places_[i].count > 0) wanted[i] = needed(i, even[i], helpers[i], least);
         tiles(pool, [&](std::uint32_t x, std::uint32_t y) {
             const std::size_t at = std::size_t{y} * size_.width + x;
             if (wanted[at] > places_[at].count) draw(at, wanted[at]);
@@ -292,10 +326,10 @@ private:
                            std::vector<Vec4>(count),
                            std::vector<Vec4>(count),
                            std::vector<Vec4>(count, Vec4(0.0F, 0.0F, 0.0F, -1.0F)),
-                           std::vector<std::uint8_t>(count)};
+                           std::vector<std::uint8_t>(count),
+                           at_sample_};
         for (std::size_t i = 0; i < count; ++i) {
-            constexpr float few = 4.0F;
-            out.intricate[i] = helpers[i].diffuse < few ? 1 : 0;
+            out.intricate[i] = helpers[i].diffuse < few_helpers ? 1 : 0;
             if (!points_[i].is_surface) continue;
             const GatheredMeans& mean = means_[i];
             out.sky[i] = Vec4(visible_share(mean.sky, mean.open), mean.has_diffuse);
@@ -314,6 +348,7 @@ private:
     std::vector<GatherPoint> points_;
     std::vector<GatheredMeans> means_;
     std::vector<float> expected_;  ///< luminance in the mirrored direction
+    std::vector<std::uint8_t> at_sample_;
 };
 
 }  // namespace

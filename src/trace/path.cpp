@@ -24,12 +24,17 @@ constexpr std::size_t most_drawn_each = 8;
 /// Share of a lobe's width that the ray it is drawn with stands for; textures seen through it are
 /// that much coarser.
 constexpr float lobe_cone = 0.15F;
+/// Few paths find what a mirror throws on a wall, and those show as dots: beyond a lobe, gathered
+/// paths take surfaces to be this share of its width rough (Kaplanyan and Dachsbacher 2013, "Path
+/// Space Regularization for Holistic and Robust Light Transport"; by the density of the direction
+/// as in Weier et al. 2021).
+constexpr float widening = 0.1F;
 
 /// What a path writes down beside its sum. Light belongs to the lobe of the first surface that
 /// sends it to the viewer, by that lobe's share of the BRDF in the direction it came from.
 enum class Books : std::uint8_t { none, by_path, gathered };
 /// Where light comes from.
-enum class From : std::uint8_t { sky, light, surface };
+enum class From : std::uint8_t { sky, light, point, surface };
 
 template <Books books>
 class Path {
@@ -112,8 +117,10 @@ private:
             return false;
         }
         const float cone_m = cone_.width_at(hit.distance_m);
-        const Surface surface =
+        Surface surface =
             surface_at(world_.scene, world_.frames, world_.textures, hit, ray_.direction, cone_m);
+        if constexpr (books == Books::gathered)
+            surface.roughness = std::max(surface.roughness, std::sqrt(least_alpha_));
         if (surface.opacity < 1.0F && sequence_.next() >= surface.opacity) return pass(hit);
         if (from_camera()) out_.coverage = 1.0F;
         add_emission(hit, surface);
@@ -131,10 +138,12 @@ private:
     }
     /// Light that reaches the first surface `at_once`, or by way of others.
     void write(const Vec3& nit, const Bsdf::DiffuseShares& shares, From from, bool at_once) {
-        const Vec3& share =
-            at_once && from == From::light ? shares.of_light : shares.of_environment;
+        const bool is_direct = at_once && (from == From::light || from == From::point);
+        const Vec3& share = !is_direct            ? shares.of_environment
+                            : from == From::point ? shares.of_point
+                                                  : shares.of_light;
         if constexpr (books == Books::by_path) {
-            if (at_once && from == From::light)
+            if (is_direct)
                 book_->add_direct(nit, share);
             else
                 book_->add_indirect(nit, share);
@@ -279,7 +288,8 @@ private:
             world_.lights.sample(choice, origin, sequence_.next_pair(), pick);
         if (sample.light == Vec3(0.0F) || (sample.has_size && !(sample.pdf > 0.0F))) return;
         const Scattered f = bsdf.evaluate(sample.direction);
-        if (f.of_light == Vec3(0.0F)) return;
+        const Vec3& sent = sample.has_size ? f.of_light : f.of_point;
+        if (sent == Vec3(0.0F)) return;
         ++out_.rays;
         constexpr float almost = 1.0F - 1e-4F;  // the light's own mesh is no shadow
         const float through = world_.geometry.transmittance(
@@ -290,8 +300,8 @@ private:
             const float own = sample.pdf * choice.probability;
             factor = (through - known_) * power_share(own, f.pdf) / own;
         }
-        add_drawn(throughput_ * f.of_light * sample.light * factor, bsdf, sample.direction,
-                  From::light);
+        add_drawn(throughput_ * sent * sample.light * factor, bsdf, sample.direction,
+                  sample.has_size ? From::light : From::point);
     }
 
     /// Draws where the light may come from, and turns the ray there. False where the path ends.
@@ -318,7 +328,11 @@ private:
         }
         ray_ = {origin, sample.direction};
         cone_.width_m = cone_m;
-        if (!mirrored_) cone_.spread = std::max(cone_.spread, lobe_cone / std::sqrt(pdf_));
+        if (!mirrored_) {
+            const float width = 1.0F / std::sqrt(pdf_);
+            cone_.spread = std::max(cone_.spread, lobe_cone * width);
+            least_alpha_ = std::max(least_alpha_, std::min(1.0F, widening * width));
+        }
         return true;
     }
 
@@ -333,6 +347,7 @@ private:
     float light_weight_ = 0.0F;
     float known_ = 0.0F;  ///< share of what is drawn that is counted already
     bool mirrored_ = false;
+    float least_alpha_ = 0.0F;  ///< of the next surface
     std::uint32_t bounce_ = 0;
     std::uint32_t passed_ = 0;
     PathLight out_;

@@ -43,7 +43,8 @@ SampleLight sample_light(const World& world, const Seen& seen, const IndirectPix
             const Ray ray = seen.ray(x, y);
             const Surface surface = seen_surface(world.scene, world.frames, pixel, ray);
             const Bsdf bsdf(world.model, surface, -ray.direction);
-            const std::uint32_t count = is_intricate ? settings.intricate : 1;
+            const std::uint32_t count = std::max<std::uint32_t>(
+                is_intricate ? settings.intricate : 1, middles.at_sample[place]);
             Gathered light;
             for (std::uint32_t i = 0; i < count; ++i) {
                 // Another seed than the middles': their sequence begins at 0 too.

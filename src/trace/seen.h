@@ -63,7 +63,9 @@ struct GatherSettings {
     std::uint32_t bounces = 64;
     std::uint32_t seed = 0;
     float mirrored_alpha = 0.0F;  ///< specular light below is asked for at every frame, and
-    std::uint32_t intricate = 0;  ///< all light by this many where few places around are alike
+    std::uint32_t intricate = 0;  ///< all light by this many where few places around are alike;
+    std::uint32_t most_at_sample = 1;  ///< by up to so many where the mean over
+    std::uint32_t frames = 1;          ///< these frames would be less certain than `error`
     const std::atomic<bool>* cancelled = nullptr;  ///< once true, what is returned is of no use
     /// Roughly the radiance that a surface of that roughness mirrors from a direction: specular
     /// light is smoothed in its units, so that what the environment makes of a curved surface
@@ -84,6 +86,7 @@ struct IndirectPixels {
     std::vector<math::Vec4> specular;  ///< rgb: nit, mean over the lobe
     std::vector<math::Vec4> guide;     ///< xyz: position in metres; w: packed_normal(), -1: nothing
     std::vector<std::uint8_t> intricate;  ///< 1 where few places around are alike
+    std::vector<std::uint8_t> at_sample;  ///< paths that a sample of a frame needs there, from 1
 };
 
 /// By how much a scene changes the light on the ground below it (path.h, ground_share()), at the

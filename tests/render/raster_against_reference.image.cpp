@@ -59,7 +59,7 @@ TEST(RasterAgainstReference, EveryBrdfShadesAConvexObjectAlikeInDirectLight) {
     double worst = 0.0;
     for (const auto& [name, choice] : choices())
         for (const auto& [metallic, roughness] :
-             {std::pair{0.0F, 0.3F}, {1.0F, 0.25F}, {0.5F, 0.8F}}) {
+             {std::pair{0.0F, 0.3F}, {1.0F, 0.25F}, {0.5F, 0.8F}, {1.0F, 0.0F}}) {
             scene::Scene scene =
                 scene_of(sphere(128), material(Vec3(0.8F, 0.5F, 0.2F), metallic, roughness));
             scene.lights = {{.kind = tables::LightKind::directional,
