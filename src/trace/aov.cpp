@@ -17,6 +17,10 @@ using math::Vec3;
 /// AOVs have no noise but the edges': as many as the rasteriser's finest quality half.
 constexpr std::uint32_t most_samples = 16;
 
+/// Perceptual roughness that the rasteriser's lights shade with at least (lib/shading_bounds.glsl);
+/// the terms are those of its picture, where a mirror's D has no end.
+constexpr float roughness_min = 0.05F;
+
 /// The terms of the BRDF in the light of the key light; glsl/frame/aov/aov.frag's add_key_light.
 void add_key_light(const World& world, const Vec3& v, AovSurface& surface) {
     const Vec3 l = world.key_light.direction_from(surface.position_m);
@@ -28,7 +32,7 @@ void add_key_light(const World& world, const Vec3& v, AovSurface& surface) {
     surface.v_dot_h = std::clamp(math::dot(v, h), 0.0F, 1.0F);
     Lobes terms = world.model.lights;
     const auto s = terms.brdf_surface(surface.albedo, surface.metallic,
-                                      std::max(surface.roughness, point_roughness_min));
+                                      std::max(surface.roughness, roughness_min));
     const auto view =
         terms.brdf_view(s, surface.n_dot_v, world.model.albedo(surface.n_dot_v, s.roughness));
     surface.brdf = terms.brdf_terms(view, surface.n_dot_l, surface.n_dot_h, surface.v_dot_h);

@@ -64,25 +64,21 @@ Bsdf::Bsdf(const Model& model, const Surface& surface, const Vec3& to_eye, Draws
     Lobes terms = model.environment;
     x_ = brdf::LightTerms<float>{}.across(n_);
     y_ = math::cross(n_, x_);
-    const auto view_of = [&](float roughness) {
-        return terms.brdf_view(terms.brdf_surface(surface.base_color, surface.metallic, roughness),
-                               n_dot_v, model.albedo(n_dot_v, roughness));
-    };
-    view_ = view_of(surface.roughness);
-    is_sharp_ = surface.roughness < point_roughness_min;
-    point_view_ = is_sharp_ ? view_of(point_roughness_min) : view_;
+    view_ =
+        terms.brdf_view(terms.brdf_surface(surface.base_color, surface.metallic, surface.roughness),
+                        n_dot_v, model.albedo(n_dot_v, surface.roughness));
     sampler_ = terms.brdf_sampler(view_, {math::dot(x_, to_eye_), math::dot(y_, to_eye_), n_dot_v});
     if (draws == Draws::specular) sampler_.specular = 1.0F;
     is_mirror_ = view_.surface.alpha < mirror_alpha_max;
 }
 
-Lobes::BrdfValue Bsdf::values(Lobes terms, const Lobes::BrdfView& view, const Cosines& at) const {
+Lobes::BrdfValue Bsdf::values(Lobes terms, const Cosines& at) const {
     float e_l = 1.0F;
     if (model_->needs_e_l) {
-        const Lobes::real4 texel = model_->albedo(at.n_dot_l, view.surface.roughness);
+        const Lobes::real4 texel = model_->albedo(at.n_dot_l, view_.surface.roughness);
         e_l = texel.x + texel.y;
     }
-    return terms.brdf_light(view, at.n_dot_l, at.n_dot_h, at.v_dot_h, e_l);
+    return terms.brdf_light(view_, at.n_dot_l, at.n_dot_h, at.v_dot_h, e_l);
 }
 
 bool Bsdf::cosines(const Vec3& to_light, Cosines& out) const {
@@ -102,15 +98,10 @@ Scattered Bsdf::evaluate(const Vec3& to_light) const {
     const float cosine = at.n_dot_l;
     if (is_white_) {
         const float pdf = Lobes{}.pdf_cosine(cosine);
-        return {Vec3(pdf), Vec3(pdf), Vec3(pdf), pdf};
+        return {Vec3(pdf), Vec3(pdf), pdf};
     }
-    const Lobes::BrdfValue lit = values(model_->lights, view_, at);
+    const Lobes::BrdfValue lit = values(model_->lights, at);
     Scattered out;
-    out.of_point = (lit.diffuse + lit.specular) * cosine;
-    if (is_sharp_) {
-        const Lobes::BrdfValue by_point = values(model_->lights, point_view_, at);
-        out.of_point = (by_point.diffuse + by_point.specular) * cosine;
-    }
     Lobes terms = model_->environment;
     if (is_mirror_) {
         out.of_light = lit.diffuse * cosine;
@@ -121,7 +112,7 @@ Scattered Bsdf::evaluate(const Vec3& to_light) const {
     out.of_light = (lit.diffuse + lit.specular) * cosine;
     out.of_environment = out.of_light;
     if (!model_->one_masking) {
-        const Lobes::BrdfValue around = values(terms, view_, at);
+        const Lobes::BrdfValue around = values(terms, at);
         out.of_environment = (around.diffuse + around.specular) * cosine;
     }
     out.pdf = terms.brdf_pdf(view_, sampler_, cosine, at.n_dot_h, at.v_dot_h);
@@ -132,22 +123,21 @@ Scattered Bsdf::evaluate_specular(const Vec3& to_light) const {
     Cosines at;
     if (is_mirror_ || !cosines(to_light, at)) return {};
     Lobes terms = model_->environment;
-    return {Vec3(0.0F), Vec3(0.0F), values(terms, view_, at).specular * at.n_dot_l,
+    return {Vec3(0.0F), values(terms, at).specular * at.n_dot_l,
             terms.brdf_pdf(view_, sampler_, at.n_dot_l, at.n_dot_h, at.v_dot_h)};
 }
 
 Bsdf::DiffuseShares Bsdf::diffuse_shares(const Vec3& to_light) const {
     Cosines at;
     if (!cosines(to_light, at)) return {};
-    const auto share = [&](const Lobes& terms, const Lobes::BrdfView& view) {
-        const Lobes::BrdfValue f = values(terms, view, at);
+    if (is_mirror_) return {Vec3(1.0F), Vec3(1.0F)};
+    const auto share = [&](const Lobes& terms) {
+        const Lobes::BrdfValue f = values(terms, at);
         constexpr float least = 1e-30F;
         return f.diffuse / glm::max(f.diffuse + f.specular, Vec3(least));
     };
-    const Vec3 of_point = share(model_->lights, point_view_);
-    if (is_mirror_) return {Vec3(1.0F), of_point, Vec3(1.0F)};
-    const Vec3 of_light = is_sharp_ ? share(model_->lights, view_) : of_point;
-    return {of_light, of_point, model_->one_masking ? of_light : share(model_->environment, view_)};
+    const Vec3 of_light = share(model_->lights);
+    return {of_light, model_->one_masking ? of_light : share(model_->environment)};
 }
 
 Lobes::BrdfValue Bsdf::environment_weight() const {
@@ -163,7 +153,7 @@ Bsdf::Sample Bsdf::sample(Vec2 u, float lobe) const {
         out.is_mirror = true;
         out.is_valid = math::dot(face_normal_, out.direction) > 0.0F;
         const Vec3 share = terms.brdf_mirror(view_) / sampler_.specular;
-        out.scattered = {share, share, share, 1.0F};
+        out.scattered = {share, share, 1.0F};
         return out;
     }
     const Vec3 local =

@@ -13,9 +13,6 @@ using Lobes = brdf::Terms<float>;
 
 /// As in lib/shading_bounds.glsl: below this cosine the surface is seen edge on.
 inline constexpr float n_dot_v_min = 1e-3F;
-/// Perceptual; and no lobe is narrower than this for light from points, which a narrower one would
-/// show nowhere but in a dot.
-inline constexpr float point_roughness_min = 0.05F;
 
 /// The BRDF of a picture: the terms chosen, and the table that the rasteriser looks up too.
 struct Model {
@@ -34,8 +31,7 @@ struct Model {
 /// f cos(theta) of the whole BRDF, 1/sr, for light of either kind; and the density of sample()
 /// there.
 struct Scattered {
-    math::Vec3 of_light{0.0F};  ///< with a size
-    math::Vec3 of_point{0.0F};  ///< without
+    math::Vec3 of_light{0.0F};
     math::Vec3 of_environment{0.0F};
     float pdf = 0.0F;
 };
@@ -49,8 +45,7 @@ public:
     Bsdf(const Model& model, const Surface& surface, const math::Vec3& to_eye,
          Draws draws = Draws::both);
 
-    /// For a unit direction to the light. Zero below the surface. A mirror's lobe is in `of_point`
-    /// alone.
+    /// For a unit direction to the light. Zero below the surface. A mirror's lobe is not in it.
     [[nodiscard]] Scattered evaluate(const math::Vec3& to_light) const;
 
     /// Of the specular lobe alone, and of the environment alone; the density is the whole one.
@@ -59,7 +54,6 @@ public:
     /// What the diffuse lobe has of evaluate()'s values, by channel, [0, 1].
     struct DiffuseShares {
         math::Vec3 of_light{0.0F};
-        math::Vec3 of_point{0.0F};
         math::Vec3 of_environment{0.0F};
     };
     [[nodiscard]] DiffuseShares diffuse_shares(const math::Vec3& to_light) const;
@@ -83,17 +77,14 @@ private:
     };
     /// False below the surface.
     [[nodiscard]] bool cosines(const math::Vec3& to_light, Cosines& out) const;
-    [[nodiscard]] Lobes::BrdfValue values(Lobes terms, const Lobes::BrdfView& view,
-                                          const Cosines& at) const;
+    [[nodiscard]] Lobes::BrdfValue values(Lobes terms, const Cosines& at) const;
 
     const Model* model_;
     Lobes::BrdfView view_;
-    Lobes::BrdfView point_view_;
     Lobes::BrdfSampler sampler_;
     math::Vec3 to_eye_;
     math::Vec3 face_normal_;
     math::Vec3 x_, y_, n_;
-    bool is_sharp_;  ///< narrower than for points
     bool is_mirror_;
     bool is_white_;
 };

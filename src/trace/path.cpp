@@ -34,7 +34,7 @@ constexpr float widening = 0.1F;
 /// sends it to the viewer, by that lobe's share of the BRDF in the direction it came from.
 enum class Books : std::uint8_t { none, by_path, gathered };
 /// Where light comes from.
-enum class From : std::uint8_t { sky, light, point, surface };
+enum class From : std::uint8_t { sky, light, surface };
 
 template <Books books>
 class Path {
@@ -138,12 +138,10 @@ private:
     }
     /// Light that reaches the first surface `at_once`, or by way of others.
     void write(const Vec3& nit, const Bsdf::DiffuseShares& shares, From from, bool at_once) {
-        const bool is_direct = at_once && (from == From::light || from == From::point);
-        const Vec3& share = !is_direct            ? shares.of_environment
-                            : from == From::point ? shares.of_point
-                                                  : shares.of_light;
+        const Vec3& share =
+            at_once && from == From::light ? shares.of_light : shares.of_environment;
         if constexpr (books == Books::by_path) {
-            if (is_direct)
+            if (at_once && from == From::light)
                 book_->add_direct(nit, share);
             else
                 book_->add_indirect(nit, share);
@@ -288,8 +286,7 @@ private:
             world_.lights.sample(choice, origin, sequence_.next_pair(), pick);
         if (sample.light == Vec3(0.0F) || (sample.has_size && !(sample.pdf > 0.0F))) return;
         const Scattered f = bsdf.evaluate(sample.direction);
-        const Vec3& sent = sample.has_size ? f.of_light : f.of_point;
-        if (sent == Vec3(0.0F)) return;
+        if (f.of_light == Vec3(0.0F)) return;
         ++out_.rays;
         constexpr float almost = 1.0F - 1e-4F;  // the light's own mesh is no shadow
         const float through = world_.geometry.transmittance(
@@ -300,8 +297,8 @@ private:
             const float own = sample.pdf * choice.probability;
             factor = (through - known_) * power_share(own, f.pdf) / own;
         }
-        add_drawn(throughput_ * sent * sample.light * factor, bsdf, sample.direction,
-                  sample.has_size ? From::light : From::point);
+        add_drawn(throughput_ * f.of_light * sample.light * factor, bsdf, sample.direction,
+                  From::light);
     }
 
     /// Draws where the light may come from, and turns the ray there. False where the path ends.

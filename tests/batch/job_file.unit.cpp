@@ -214,7 +214,9 @@ TEST(JobFile, LampsOfItsOwnAreNoFilesOfTheJob) {
     ASSERT_TRUE(parsed.job) << parsed.first();
     EXPECT_NE(parsed.job->item(0)->settings.light.at(0).find("file=builtin:downlight"),
               std::string::npos);
-    EXPECT_NE(parse(job_of(R"("scene": "builtin:ball", "light": "ies:file=/etc/lamp.ies")"))
+    const TemporaryFolder folder;
+    EXPECT_NE(parse(job_of(R"("scene": "builtin:ball", "light": "ies:file=/etc/lamp.ies")"),
+                    folder / "job.json")
                   .first()
                   .find("outside"),
               std::string::npos);

@@ -88,8 +88,8 @@ vec3 in_box(vec3 position_m, vec3 direction) {
 float explain_distance_m = 0.0;  // to the light at hand; 0: infinitely far
 #endif
 
-// visible: share of the light that arrives.
-vec3 lit_by(ShadePoint p, BrdfView brdf, vec3 to_light, vec3 illuminance, float visible) {
+// visible: share of the light that arrives; mirrored: 0 where the specular lobe does not show it.
+vec3 lit_by(ShadePoint p, BrdfView brdf, vec3 to_light, vec3 illuminance, float visible, float mirrored) {
     float n_dot_l = clamp(dot(p.normal, to_light), 0.0, 1.0);
     vec3 sum = p.to_eye + to_light;
     vec3 h = sum * inversesqrt(max(dot(sum, sum), 1e-12));
@@ -102,11 +102,12 @@ vec3 lit_by(ShadePoint p, BrdfView brdf, vec3 to_light, vec3 illuminance, float 
 #else
     BrdfValue f = brdf_light(brdf, n_dot_l, n_dot_h, v_dot_h, 1.0);
 #endif
+    f.specular *= mirrored;
 #ifdef FACET_EXPLAIN
     BrdfTerms terms = brdf_terms(brdf, n_dot_l, n_dot_h, v_dot_h);
     float v = slot_masking(brdf.n_dot_v, n_dot_l, brdf.surface.roughness, brdf.surface.alpha);
     explain_lit(ExplainedLight(uvec4(0u), vec4(to_light, explain_distance_m), vec4(illuminance, 0.0),
-                               vec4(n_dot_l, n_dot_h, v_dot_h, visible), vec4(terms.d, terms.g, v, 0.0),
+                               vec4(n_dot_l, n_dot_h, v_dot_h, visible), vec4(terms.d * mirrored, terms.g, v, 0.0),
                                vec4(terms.f, 0.0), vec4(terms.k_d, 0.0), vec4(terms.k_s, 0.0),
                                vec4(f.diffuse, 0.0), vec4(f.specular, 0.0)));
 #endif
@@ -186,6 +187,7 @@ vec3 shade(ShadePoint p) {
     BrdfSurface surface = brdf_surface(p.base_color, p.metallic, max(p.roughness, ROUGHNESS_MIN));
     vec4 albedo = textureLod(albedo_table, albedo_coordinates(n_dot_v, surface.roughness), 0.0);
     BrdfView brdf = brdf_view(surface, n_dot_v, albedo);
+    float points_mirrored = p.roughness < MIRROR_ROUGHNESS ? 0.0 : 1.0;
 
     vec3 radiance = vec3(0.0);
 #ifdef FACET_EXPLAIN
@@ -248,13 +250,15 @@ vec3 shade(ShadePoint p) {
         int texel = int(i) * LIGHT_TEXELS;
         vec3 intensity_lux = texelFetch(lights, texel + 1).rgb;
         vec3 direction = texelFetch(lights, texel + 2).xyz;
+        bool is_sun = texelFetch(lights, texel + 3).w < 0.0;  // the environment's, which is as wide as it is
 #if FACET_LIGHT_PATHS
-        is_environments = texelFetch(lights, texel + 3).w < 0.0;
+        is_environments = is_sun;
 #endif
 #ifdef FACET_EXPLAIN
         explain_light = i;
 #endif
-        radiance += lit_by(p, brdf, -direction, light_directional(intensity_lux), light_visible(i, int(i), p, direction));
+        radiance += lit_by(p, brdf, -direction, light_directional(intensity_lux), light_visible(i, int(i), p, direction),
+                           is_sun ? 1.0 : points_mirrored);
     }
 #if FACET_LOCAL_LIGHTS
 #if FACET_LIGHT_PATHS
@@ -275,7 +279,8 @@ vec3 shade(ShadePoint p) {
         illuminance *= profile_share(light.texel, -light.way, direction_offset.xyz);
 #endif
         radiance += lit_by(p, brdf, light.way, illuminance,
-                           light_visible(view.light_counts.x + i - list.x, light.texel / LIGHT_TEXELS, p, p.position_m - light.place.xyz));
+                           light_visible(view.light_counts.x + i - list.x, light.texel / LIGHT_TEXELS, p, p.position_m - light.place.xyz),
+                           points_mirrored);
         i = next_light(i + 1u, end, p.position_m);
     }
 #if FACET_AREA_LIGHTS
