@@ -1,6 +1,6 @@
 // Lights of a picture, raster against reference.
 // SPDX-License-Identifier: MIT
-#include "render/render.h"
+#include "support/rendered.h"
 
 #include <gtest/gtest.h>
 
@@ -24,10 +24,7 @@ double error_of(const std::string& light, const char* shadows, const char* expos
     s.light = {light};
     s.reference = "64";
     s.compare = true;
-    base::Log log;
-    const auto rendered = render(request, log);
-    if (!rendered) ADD_FAILURE() << base::to_line(rendered.error());
-    return rendered ? rendered->compared->rmse : 1.0;
+    return test::rmse_to_reference(request);
 }
 
 // Lights with a size by linearly transformed cosines: on a lone ball there is no shadow but its
@@ -89,12 +86,8 @@ double light_around_the_sun(const std::string& background, const std::string& re
     s.quality = "draft";
     s.samples = 16;
     s.reference = reference;
-    base::Log log;
-    const auto rendered = render(request, log);
-    if (!rendered) {
-        ADD_FAILURE() << base::to_line(rendered.error());
-        return 0.0;
-    }
+    const auto rendered = test::rendered(request);
+    if (!rendered) return 0.0;
     double sum = 0.0;
     const auto values = rendered->layers.front().image.as<float>();
     for (std::size_t i = 0; i < values.size(); i += 4) sum += static_cast<double>(values[i + 1]);
@@ -119,9 +112,7 @@ Request probed(const std::string& scene) {
 }
 
 image::Image shown(const Request& request) {
-    base::Log log;
-    auto rendered = render(request, log);
-    if (!rendered) ADD_FAILURE() << base::to_line(rendered.error());
+    auto rendered = test::rendered(request);
     return rendered ? std::move(rendered->display) : image::Image{};
 }
 

@@ -1,6 +1,6 @@
 // Shadows by maps against shadows by rays, and ambient visibility against the reference.
 // SPDX-License-Identifier: MIT
-#include "render/render.h"
+#include "support/rendered.h"
 
 #include <gtest/gtest.h>
 
@@ -23,9 +23,7 @@ image::Image direct_light(const std::string& scene, const std::string& light,
     s.light = {light};
     s.shadows = shadows;
     s.aov = {"diffuse_direct"};
-    base::Log log;
-    auto rendered = render(request, log);
-    if (!rendered) ADD_FAILURE() << base::to_line(rendered.error());
+    auto rendered = test::rendered(request);
     return rendered ? std::move(rendered->layers.back().image)
                     : image::Image(s.size, 3, image::Sample::f32);
 }
@@ -77,10 +75,7 @@ double error_of(const std::string& scene, const std::string& shadows) {
     s.tonemap = "none";
     s.reference = "32";
     s.compare = true;
-    base::Log log;
-    const auto rendered = render(request, log);
-    if (!rendered) ADD_FAILURE() << base::to_line(rendered.error());
-    return rendered ? rendered->compared->rmse : 1.0;
+    return test::rmse_to_reference(request);
 }
 
 TEST(Occlusion, BringsTheEnvironmentsLightNearerToTheReference) {

@@ -168,16 +168,14 @@ LocalLight local_light(uint index, vec3 position_m) {
 }
 // The next place in the lists, from `index` on, whose light reaches so far; `end` where none does.
 uint next_light(uint index, uint end, vec3 position_m) {
+#ifndef FACET_EXPLAIN  // which tells of all
     while (index < end) {
-#ifndef FACET_EXPLAIN
         vec4 place = texelFetch(lights, int(texelFetch(light_indices, int(index)).x) * LIGHT_TEXELS);
         vec3 way = place.xyz - position_m;
         if (dot(way, way) * place.w < 1.0) break;
         ++index;
-#else
-        break;  // it tells of all
-#endif
     }
+#endif
     return index;
 }
 #endif

@@ -1,0 +1,28 @@
+// Pictures that a test renders from the outside.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "render/render.h"
+
+#include <gtest/gtest.h>
+
+#include <optional>
+
+namespace facet::test {
+
+/// Nothing, and a failure of the test, where it is not drawn.
+inline std::optional<render::Rendered> rendered(const render::Request& request) {
+    base::Log log;
+    auto out = render::render(request, log);
+    if (out) return std::move(*out);
+    ADD_FAILURE() << base::to_line(out.error());
+    return std::nullopt;
+}
+
+/// RMSE against the reference of a request that compares; 1 where it is not drawn.
+inline double rmse_to_reference(const render::Request& request) {
+    const auto picture = rendered(request);
+    return picture ? picture->compared->rmse : 1.0;
+}
+
+}  // namespace facet::test
