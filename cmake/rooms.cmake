@@ -19,8 +19,13 @@ if(FACET_GL_DEBUG)
   target_compile_definitions(facet_options INTERFACE FACET_GL_DEBUG=1)
 endif()
 
+# Where no time is spent at run time, a third of the compiler's time is saved.
+add_library(facet_seldom_run INTERFACE)
+target_compile_options(facet_seldom_run INTERFACE $<$<CONFIG:Release>:-O1>)
+
+# SELDOM_RUN: nothing in the room loops over pixels, rays or vertices.
 function(facet_room name)
-  cmake_parse_arguments(ROOM "" "" "DEPENDS" ${ARGN})
+  cmake_parse_arguments(ROOM "SELDOM_RUN" "" "DEPENDS" ${ARGN})
   # A folder "module_*" inside a room is a shared object of its own (cmake/programs.cmake).
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${name}/*.cpp)
   list(FILTER sources EXCLUDE REGEX "/module_|/main\\.cpp$|_main\\.cpp$")
@@ -37,6 +42,9 @@ function(facet_room name)
     target_include_directories(facet_${name} PUBLIC ${PROJECT_SOURCE_DIR}/src ${PROJECT_BINARY_DIR}
                                                     ${PROJECT_SOURCE_DIR}/glsl)
     target_link_libraries(facet_${name} PUBLIC ${libraries} PRIVATE facet_options)
+    if(ROOM_SELDOM_RUN)
+      target_link_libraries(facet_${name} PRIVATE facet_seldom_run)
+    endif()
     add_dependencies(facet_${name} facet_generated)
   else()
     add_library(facet_${name} INTERFACE)

@@ -51,7 +51,7 @@ base::Status check_settings(const tables::Settings& settings, const base::Limits
     }
     for (const std::string& text : settings.set)
         if (auto s = check_set(text); !s) return s;
-    if (!settings.camera.starts_with("orbit")) return {};
+    if (!scene::is_orbit(settings.camera)) return {};
     const auto camera = scene::resolve_camera({}, settings.camera, settings.fov, settings.size);
     if (!camera) return tl::unexpected(base::in_file(camera.error(), "--camera"));
     return {};

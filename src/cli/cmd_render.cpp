@@ -6,7 +6,7 @@
 #include "cli/progress.h"
 #include "cli/setting_flags.h"
 #include "gl/context.h"
-#include "image/write.h"
+#include "render/picture_file.h"
 #include "render/render.h"
 #include "scene/load.h"
 #include "tables/message_json.h"
@@ -132,11 +132,11 @@ std::string result_line(const std::string& output, const render::Rendered& r, do
 
 Result<render::Rendered> render_to_stdout(const render::Request& request, base::Log& log, Io& io,
                                           const base::Progress& progress) {
+    const auto file = render::plan_file(request.settings, "standard output.png");
+    if (!file) return tl::unexpected(file.error());
     auto rendered = render::render(request, log, progress);
     if (!rendered) return rendered;
-    const bool deep = rendered->display.sample == image::Sample::u16;
-    const auto png = image::encode(
-        rendered->display, {.depth = deep ? image::Depth::u16 : image::Depth::u8, .metadata = {}});
+    const auto png = render::encode_picture(*file, request, *rendered);
     if (!png) return tl::unexpected(png.error());
     io.print_bytes(*png);
     return rendered;

@@ -193,8 +193,9 @@ std::string aovs() {
         "side that the environment's light comes from (its mean direction).\n\n"
         "Light paths add up to the beauty before tone mapping. Direct is from lights and, in the "
         "reference, from\n"
-        "meshes that emit; the environment is indirect. Side files of them have the picture's "
-        "exposure.\n\n";
+        "meshes that emit; the environment is indirect. With --shadows traced, lights with a size "
+        "count as indirect\n"
+        "too. Side files of them have the picture's exposure.\n\n";
     for (const auto& row : tables::aovs)
         out += fmt::format("  {:<17} {:<5} {}\n", row.key, row.channels, row.help);
     return out;

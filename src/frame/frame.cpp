@@ -225,8 +225,6 @@ base::Status Frame::draw_light(const gl::Context& gl, const FrameInputs& in,
     shade.key.shadow_maps = has_maps(in) && in.lights.count > 0;
     std::optional<LightLists> lists;
     if (shade.key.local_lights) lists = update_light_lists(gl, in, view, true);
-    // Rays know the G-buffer's surfaces alone: those that are blended are lit as if in the open.
-    const ShadeInputs in_the_open = shade;
     shade.key.occlusion = has_maps(in);
     if (shade.key.occlusion)
         if (auto s = occlusion_pass_.run(gl, gbuffer_, empty_); !s) return s;
@@ -235,8 +233,8 @@ base::Status Frame::draw_light(const gl::Context& gl, const FrameInputs& in,
     if (in.background.kind != BackgroundKind::environment) radiance_.clear(gl);
     const gl::Framebuffer& beauty = radiance_.framebuffer;
     if (auto s = draw_opaque(gl, in, shade, radiance_.target(), &beauty); !s) return s;
-    ShadeInputs apart = shade;
     if (light_paths_) {
+        ShadeInputs apart = shade;
         apart.key.paths = light_paths_->paths;
         light_paths_->light.clear(gl);
         const gl::Framebuffer* background =
@@ -246,17 +244,25 @@ base::Status Frame::draw_light(const gl::Context& gl, const FrameInputs& in,
     }
     const bool any_blended = std::any_of(in.scene.draws.begin(), in.scene.draws.end(),
                                          [](const Draw& draw) { return draw.blended; });
-    if (!any_blended) return {};
-    // What is blended lies before the depth that the lists were culled by.
-    if (shade.key.local_lights) (void)update_light_lists(gl, in, view, false);
-    if (auto s = blend_pass_.run(gl, in.scene, far_to_near, in_the_open, radiance_.target()); !s)
+    return any_blended ? draw_blended(gl, in, sample, shade, far_to_near) : base::Status{};
+}
+
+base::Status Frame::draw_blended(const gl::Context& gl, const FrameInputs& in,
+                                 const SampleView& sample, ShadeInputs shade,
+                                 const std::vector<std::size_t>& far_to_near) {
+    // Rays, and the horizons of the G-buffer, know opaque surfaces alone: these are lit as if in
+    // the open. They lie before the depth that the lists were culled by.
+    const FrameInputs open = in.in_the_open();
+    const bool shadow_maps = shade.key.shadow_maps;
+    shade.key = upload_lights(gl, open);
+    shade.key.shadow_maps = shadow_maps;
+    set_view(gl, open, sample.view);
+    if (shade.key.local_lights) (void)update_light_lists(gl, open, sample.view, false);
+    if (auto s = blend_pass_.run(gl, in.scene, far_to_near, shade, radiance_.target()); !s)
         return s;
     if (!light_paths_) return {};
-    apart.key.occlusion = false;
-    apart.key.visibility = false;
-    apart.key.indirect = false;
-    apart.key.sample_light = false;
-    return blend_pass_.run(gl, in.scene, far_to_near, apart, light_paths_->light.target());
+    shade.key.paths = light_paths_->paths;
+    return blend_pass_.run(gl, in.scene, far_to_near, shade, light_paths_->light.target());
 }
 
 base::Status Frame::draw(const gl::Context& gl, const FrameInputs& in, std::uint32_t index,

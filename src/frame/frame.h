@@ -45,6 +45,15 @@ struct FrameInputs {
     const EnvironmentMaps* probe = nullptr;  ///< lights in the environment's place
     Rays* rays = nullptr;  ///< finds what is visible, where the frame is made for that
     const scene::Ground* ground = nullptr;  ///< catches shadows, where rays find them
+    /// Of blended surfaces, which rays do not know of; null: `lights`.
+    const PackedLights* open_lights = nullptr;
+
+    /// All the same without rays.
+    [[nodiscard]] FrameInputs in_the_open() const {
+        return {scene,  environment, open_lights == nullptr ? lights : *open_lights,
+                camera, background,  key_light,
+                probe};
+    }
 };
 
 /// Milliseconds a pass took, each waited for; asked for by benchmarks only.
@@ -159,6 +168,10 @@ private:
     [[nodiscard]] base::Status draw_opaque(const gl::Context& gl, const FrameInputs& in,
                                            const ShadeInputs& shade, const DrawTarget& out,
                                            const gl::Framebuffer* background);
+    /// Blended surfaces over all that; `shade` lit them.
+    [[nodiscard]] base::Status draw_blended(const gl::Context& gl, const FrameInputs& in,
+                                            const SampleView& sample, ShadeInputs shade,
+                                            const std::vector<std::size_t>& far_to_near);
     [[nodiscard]] base::Status draw_light(const gl::Context& gl, const FrameInputs& in,
                                           const SampleView& sample,
                                           const std::vector<std::size_t>& far_to_near);

@@ -6,6 +6,8 @@
 #include "scene/lens.h"
 #include "scene/motion.h"
 
+#include <numeric>
+
 namespace facet::frame {
 namespace {
 
@@ -31,6 +33,14 @@ float radical_inverse(std::uint32_t x, std::uint32_t base = 2) {
     for (float digit = part; x > 0; x /= base, digit *= part)
         result += digit * static_cast<float>(x % base);
     return result;
+}
+
+/// The first place is the middle of the lens, the others lie evenly around it (Halton 1960, shifted
+/// by a half: Cranley and Patterson 1976).
+math::Vec2 lens_place(const scene::Camera& camera, std::uint32_t index, std::uint32_t count) {
+    if (camera.lens_radius_m <= 0.0F || count == 1) return math::Vec2(0.0F);
+    const math::Vec2 u(radical_inverse(index, 3) + 0.5F, radical_inverse(index, 5) + 0.5F);
+    return scene::place_on_lens(camera, u - glm::floor(u));
 }
 
 /// What vignetting is worked out from.
@@ -80,10 +90,7 @@ shared::View view_block(const scene::Camera& camera, math::Extent picture, const
 
 shared::View sample_view(const scene::Camera& camera, math::Extent picture, const Region& region,
                          std::uint32_t index, std::uint32_t count) {
-    math::Vec2 lens_m(0.0F);
-    if (camera.lens_radius_m > 0.0F)
-        lens_m =
-            scene::place_on_lens(camera, {radical_inverse(index, 3), radical_inverse(index, 5)});
+    const math::Vec2 lens_m = lens_place(camera, index, count);
     if (!scene::moves(camera))
         return view_block(camera, picture, region, jitter_px(index, count), lens_m);
     const scene::Camera moved = scene::camera_at(camera, sample_time(index, count));
@@ -100,9 +107,10 @@ float vignetting(const shared::View& view, std::uint32_t x, std::uint32_t y) {
 
 float sample_time(std::uint32_t index, std::uint32_t count) {
     // A lattice's second dimension (Korobov 1959), so that neither the places in the pixel nor
-    // those on the lens go with time: the odd number nearest to the golden section of the count has
-    // no factor in common with powers of two.
-    const auto golden = static_cast<std::uint64_t>(0.6180339887 * count) | 1U;
+    // those on the lens go with time: a number near the golden section of the count that has no
+    // factor in common with it, or times would repeat.
+    auto golden = static_cast<std::uint64_t>(0.6180339887 * count) | 1U;
+    while (std::gcd(golden, std::uint64_t{count}) > 1) golden += 2;
     const std::uint64_t place = count < 2 ? 0 : index * golden % count;
     return (static_cast<float>(place) + 0.5F) / static_cast<float>(count);
 }

@@ -1,4 +1,4 @@
-// Writes PNG: rows filtered, one IDAT packed by libdeflate, always an sRGB chunk, metadata as text
+// Writes PNG: rows filtered, one IDAT packed by libdeflate, an sRGB or cICP chunk, metadata as text
 // chunks. SPDX-License-Identifier: MIT
 #include "image/bytes.h"
 #include "image/checks.h"

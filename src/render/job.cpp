@@ -167,7 +167,7 @@ base::Result<Job> load_job(const Request& request, const Plan& plan, base::Threa
     if (plan.has_ground && !plan.rays.any() && !plan.reference)
         job.warnings.push_back({.where = "--ground",
                                 .what = "nothing finds the shadows on the ground",
-                                .remedy = "leave --shadows off out"});
+                                .remedy = "--shadows traced"});
     return job;
 }
 

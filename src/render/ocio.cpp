@@ -44,6 +44,7 @@ base::Result<image::Image> ocio_picture(image::Image radiance, double exposure, 
         const float coverage = unit(values[i + 3]);
         math::Vec4 shown(unit(values[i]), unit(values[i + 1]), unit(values[i + 2]), 1.0F);
         if (is_laid)
+            // In codes: what a display of OpenColorIO makes of light is not known here.
             shown = shown * coverage + under * (1.0F - coverage);
         else
             shown.w = coverage;

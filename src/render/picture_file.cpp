@@ -105,19 +105,19 @@ base::Result<std::vector<fs::path>> write_side_files(const fs::path& output, boo
     return sides;
 }
 
-/// What can be known only after loading: --strict, and an output that is one of the files read
-/// (faults, F3).
-base::Status check_result(const Request& request, const fs::path& output,
-                          const Rendered& rendered) {
-    if (request.settings.strict && !rendered.warnings.empty()) {
-        const base::Warning& w = rendered.warnings.front();
-        return base::fail({.code = base::ErrorCode::input_invalid,
-                           .file = w.file,
-                           .where = w.where,
-                           .what = w.what,
-                           .found = w.found,
-                           .remedy = "--strict makes this warning an error"});
-    }
+base::Status check_strict(const Request& request, const Rendered& rendered) {
+    if (!request.settings.strict || rendered.warnings.empty()) return {};
+    const base::Warning& w = rendered.warnings.front();
+    return base::fail({.code = base::ErrorCode::input_invalid,
+                       .file = w.file,
+                       .where = w.where,
+                       .what = w.what,
+                       .found = w.found,
+                       .remedy = "--strict makes this warning an error"});
+}
+
+/// Known only after loading: an output that is one of the files read (faults, F3).
+base::Status check_output(const fs::path& output, const Rendered& rendered) {
     std::error_code error;
     for (const fs::path& read : rendered.reads)
         if (fs::equivalent(read, output, error))
@@ -127,13 +127,6 @@ base::Status check_result(const Request& request, const fs::path& output,
                                .found = read.string(),
                                .remedy = "another name for the output"});
     return {};
-}
-
-base::Result<base::Bytes> encode(const Rendered& rendered, const image::WriteOptions& options) {
-    const tables::ImageFormatRow& row = tables::row(options.format);
-    if (row.layers) return image::encode_exr(rendered.layers, options);
-    if (row.scene_linear) return image::encode(rendered.layers.front().image, options);
-    return image::encode(rendered.display, options);
 }
 
 }  // namespace
@@ -155,11 +148,10 @@ base::Result<PictureFile> plan_file(const tables::Settings& settings, const fs::
     return file;
 }
 
-base::Result<Written> write_picture(const PictureFile& file, const Request& request,
-                                    Rendered& rendered) {
-    if (auto allowed = check_result(request, file.path, rendered); !allowed)
+base::Result<base::Bytes> encode_picture(const PictureFile& file, const Request& request,
+                                         const Rendered& rendered) {
+    if (auto allowed = check_strict(request, rendered); !allowed)
         return tl::unexpected(allowed.error());
-    Stopwatch watch;
     image::WriteOptions options{
         .format = file.format,
         .depth = file.depth,
@@ -173,8 +165,21 @@ base::Result<Written> write_picture(const PictureFile& file, const Request& requ
                                       fmt::format("{}", rendered.reference->samples));
         options.metadata.emplace_back("facet.seed", fmt::format("{}", request.settings.seed));
     }
-    const auto bytes = encode(rendered, options);
+    const tables::ImageFormatRow& row = tables::row(file.format);
+    auto bytes = row.layers         ? image::encode_exr(rendered.layers, options)
+                 : row.scene_linear ? image::encode(rendered.layers.front().image, options)
+                                    : image::encode(rendered.display, options);
     if (!bytes) return tl::unexpected(base::in_file(bytes.error(), file.path.string()));
+    return bytes;
+}
+
+base::Result<Written> write_picture(const PictureFile& file, const Request& request,
+                                    Rendered& rendered) {
+    if (auto allowed = check_output(file.path, rendered); !allowed)
+        return tl::unexpected(allowed.error());
+    Stopwatch watch;
+    const auto bytes = encode_picture(file, request, rendered);
+    if (!bytes) return tl::unexpected(bytes.error());
     Written written{.sha256 = base::sha256_hex(*bytes), .sides = {}};
     if (has_side_files(tables::row(file.format), request.settings)) {
         const bool npy = request.settings.aov_format == "npy";

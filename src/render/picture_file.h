@@ -25,13 +25,18 @@ struct PictureFile {
 [[nodiscard]] base::Result<PictureFile> plan_file(const tables::Settings& settings,
                                                   const std::filesystem::path& output);
 
+/// The picture's own file. Errors: input_invalid (--strict), those of encoding.
+[[nodiscard]] base::Result<base::Bytes> encode_picture(const PictureFile& file,
+                                                       const Request& request,
+                                                       const Rendered& rendered);
+
 struct Written {
     std::string sha256;                        ///< of the picture's file
     std::vector<std::filesystem::path> sides;  ///< AOVs in files of their own
 };
 
 /// Encodes and writes; the picture's own file last, so that it stands for all. Errors: usage (the
-/// output is one of the files read), input_invalid (--strict), those of writing.
+/// output is one of the files read), those of encode_picture() and of writing.
 [[nodiscard]] base::Result<Written> write_picture(const PictureFile& file, const Request& request,
                                                   Rendered& rendered);
 

@@ -99,6 +99,9 @@ base::Status plan_exposure(const tables::Settings& settings, Plan& plan) {
         plan.exposure = 1.0 / (1.2 * std::exp2(ev));
         return {};
     }
+    if (settings.iso != tables::Settings{}.iso)
+        return usage("--iso", "needs a shutter and an aperture", "",
+                     "add --shutter S --aperture N, or use --ev or --exposure");
     // ISO 12232 with q = 0.65: the saturation luminance of EV 0 is 1.2 nit.
     if (settings.ev) plan.exposure = 1.0 / (1.2 * std::exp2(static_cast<double>(*settings.ev)));
     if (settings.exposure == "auto") return {};

@@ -56,8 +56,8 @@ struct Compared {
 /// A finished picture.
 struct Rendered {
     math::Extent size;
-    image::Image display;  ///< RGBA u8 or u16 (--depth 16), sRGB-encoded, straight alpha; empty for
-                           ///< want_linear
+    image::Image display;  ///< RGBA u8 or u16 (--depth 16), in codes of --gamut, straight alpha;
+                           ///< empty for want_linear
     std::vector<image::Layer>
         layers;             ///< f32: beauty "" first (want_linear only), then the AOVs asked for
     double exposure = 1.0;  ///< the factor used

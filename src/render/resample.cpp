@@ -169,6 +169,25 @@ base::Status draw_view(Session& session, std::uint32_t samples, FlatView& view) 
     return {};
 }
 
+/// Radiance and window depth, pixel by pixel, of all views that count for the exposure.
+struct Measured {
+    std::vector<float> radiance;
+    std::vector<float> depth;
+};
+
+base::Status draw_views(Session& session, std::uint32_t samples, std::vector<FlatView>& views,
+                        Measured* measured) {
+    for (FlatView& view : views) {
+        if (auto s = draw_view(session, samples, view); !s) return s;
+        if (measured == nullptr) continue;
+        const auto values = view.radiance.as<float>();
+        measured->radiance.insert(measured->radiance.end(), values.begin(), values.end());
+        const std::vector<float> own = session.read_depth();
+        measured->depth.insert(measured->depth.end(), own.begin(), own.end());
+    }
+    return {};
+}
+
 }  // namespace
 
 base::Result<Resampled> draw_resampled(Session& session, base::ThreadPool& pool) {
@@ -179,23 +198,17 @@ base::Result<Resampled> draw_resampled(Session& session, base::ThreadPool& pool)
         views = cube_views(camera, plan.picture);
     else
         views.push_back(wide_view(camera, plan.picture));
-    std::vector<float> radiance;
-    std::vector<float> depth;
-    for (FlatView& view : views) {
-        if (auto s = draw_view(session, plan.sample_count, view); !s)
-            return tl::unexpected(s.error());
-        if (plan.exposure) continue;
-        const auto values = view.radiance.as<float>();
-        radiance.insert(radiance.end(), values.begin(), values.end());
-        const std::vector<float> own = session.read_depth();
-        depth.insert(depth.end(), own.begin(), own.end());
-    }
-    if (auto s = session.look(camera, plan.region, plan.picture); !s)
-        return tl::unexpected(s.error());
-    return Resampled{
-        plan.is_panorama ? panorama(views, plan.picture, plan.region, pool)
-                         : bent(views.front(), camera, plan, pool),
-        plan.exposure ? *plan.exposure : frame::auto_exposure(radiance, depth, 1, pool)};
+    Measured measured;
+    const auto drawn =
+        draw_views(session, plan.sample_count, views, plan.exposure ? nullptr : &measured);
+    const auto back = session.look(camera, plan.region, plan.picture);  // after an error too
+    if (!drawn) return tl::unexpected(drawn.error());
+    if (!back) return tl::unexpected(back.error());
+    return Resampled{plan.is_panorama ? panorama(views, plan.picture, plan.region, pool)
+                                      : bent(views.front(), camera, plan, pool),
+                     plan.exposure
+                         ? *plan.exposure
+                         : frame::auto_exposure(measured.radiance, measured.depth, 1, pool)};
 }
 
 base::Result<Around> draw_around(Session& session, const scene::Camera& camera, Extent size,

@@ -141,7 +141,8 @@ frame::FrameInputs Session::inputs(const scene::KeyLight& key, bool with_rays) c
             key,
             has_rays ? nullptr : probe_maps_.get(),
             has_rays ? rays_.get() : nullptr,
-            job_->scene.ground ? &*job_->scene.ground : nullptr};
+            job_->scene.ground ? &*job_->scene.ground : nullptr,
+            lights_.get()};
 }
 
 void Session::forget_indirect() {
@@ -243,11 +244,8 @@ base::Result<std::vector<frame::ExplainedPixel>> Session::explain(
 }
 
 double Session::measure_exposure(std::uint32_t count) {
-    const math::Extent size = frame_->size();
-    std::vector<float> radiance(static_cast<std::size_t>(size.pixels()) * 4);
-    gl::read_pixels(*gl_, frame_->sum_framebuffer(), 0, size, {GL_RGBA, GL_FLOAT},
-                    std::as_writable_bytes(std::span(radiance)));
-    return frame::auto_exposure(radiance, read_depth(), count, *pool_);
+    const image::Image sum = frame::read_radiance(*gl_, frame_->sum_framebuffer(), frame_->size());
+    return frame::auto_exposure(sum.as<float>(), read_depth(), count, *pool_);
 }
 
 std::vector<float> Session::read_depth() const {
@@ -255,6 +253,11 @@ std::vector<float> Session::read_depth() const {
     std::vector<float> depth(static_cast<std::size_t>(size.pixels()));
     gl::read_pixels(*gl_, frame_->depth_framebuffer(), 0, size, {GL_DEPTH_COMPONENT, GL_FLOAT},
                     std::as_writable_bytes(std::span(depth)));
+    const auto row = [&](std::uint32_t y) {
+        return depth.begin() + static_cast<std::ptrdiff_t>(std::size_t{y} * size.width);
+    };
+    for (std::uint32_t y = 0; y < size.height / 2; ++y)  // GL's begin at the bottom
+        std::swap_ranges(row(y), row(y + 1), row(size.height - 1 - y));
     return depth;
 }
 
@@ -292,17 +295,18 @@ void Session::lay_over_background(image::Image& radiance, double exposure) const
 }
 
 void Session::set_lights(std::span<const scene::Light> lights) {
+    forget_rays();  // before what they look at changes
     job_->scene.lights = std::vector<scene::Light>(lights.begin(), lights.end());
     key_light_.reset();
     pack_lights();
 }
 
 void Session::pack_lights() {
+    forget_rays();
     std::vector<scene::Light> lights = job_->scene.lights;
     if (sun()) lights.push_back(*sun());
     lights_ = std::make_unique<frame::PackedLights>(frame::pack_lights(lights, false));
     ray_lights_ = std::make_unique<frame::PackedLights>(frame::pack_lights(lights, true));
-    forget_rays();
 }
 
 image::Image Session::read_mean(std::uint32_t count) const {

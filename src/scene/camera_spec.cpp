@@ -183,9 +183,11 @@ std::string list_of(const Scene& scene) {
 
 }  // namespace
 
+bool is_orbit(std::string_view spec) { return spec == "orbit" || spec.starts_with("orbit:"); }
+
 base::Result<Camera> resolve_camera(const Scene& scene, const std::string& spec, float fov_deg,
                                     math::Extent size) {
-    if (spec.starts_with("orbit")) {
+    if (is_orbit(spec)) {
         const auto orbit = parse_orbit(spec.size() > 6 ? std::string_view(spec).substr(6) : "");
         if (!orbit) return tl::unexpected(orbit.error());
         return orbit_camera(scene, *orbit, fov_deg, size);
@@ -207,7 +209,7 @@ base::Result<Camera> resolve_camera(const Scene& scene, const std::string& spec,
 
 base::Result<std::string> turned_orbit(const std::string& spec, double degrees) {
     Orbit orbit;
-    if (spec.starts_with("orbit")) {
+    if (is_orbit(spec)) {
         const auto parsed = parse_orbit(spec.size() > 6 ? std::string_view(spec).substr(6) : "");
         if (!parsed) return tl::unexpected(parsed.error());
         orbit = *parsed;

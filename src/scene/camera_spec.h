@@ -7,8 +7,12 @@
 #include "scene/scene.h"
 
 #include <string>
+#include <string_view>
 
 namespace facet::scene {
+
+/// Whether `spec` is `orbit` or `orbit:…`; a camera of the file may be named orbit1.
+[[nodiscard]] bool is_orbit(std::string_view spec);
 
 /// The camera that `spec` names: a camera's or its node's name, its index, `auto` (the file's first
 /// camera, else framed on the model), or `orbit:azimuth=…,elevation=…,distance=…,target=x y z`

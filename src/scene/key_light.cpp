@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "scene/key_light.h"
 
-#include "brdf/light_terms.h"
 #include "math/color.h"
-#include "scene/light_profile.h"
+#include "scene/light_at.h"
 
 #include <algorithm>
 #include <cmath>
@@ -63,17 +62,10 @@ float illuminance_lux(const Light& light, const Vec3& position_m) {
         // A sphere shows a quarter of its area to any side, and a tube about as much.
         const bool is_round = light.kind == LightKind::sphere || light.kind == LightKind::tube;
         const float seen = is_round ? 0.25F : std::max(from_axis, 0.0F);
-        return level * area * seen / std::max(distance2, 0.25F * area);
+        return level * area * seen * range_window(light, distance2) /
+               std::max(distance2, 0.25F * area);
     }
-    brdf::LightTerms<float> terms;
-    const float range2 = light.range_m * light.range_m;
-    const float lux =
-        terms.light_point(Vec3(level), distance2, range2 > 0.0F ? 1.0F / range2 : 0.0F).x;
-    if (light.profile) return lux * profile_share(light, -way / std::sqrt(distance2));
-    if (light.kind != LightKind::spot) return lux;
-    const auto edge =
-        terms.spot_edge(std::cos(light.inner_cone_rad), std::cos(light.outer_cone_rad));
-    return lux * terms.light_spot(from_axis, edge.x, edge.y);
+    return math::luminance(illuminance_lux(light, way / std::sqrt(distance2), distance2));
 }
 
 Vec3 dominant_direction(const Environment& environment, float rotation_deg) {

@@ -188,6 +188,8 @@ base::Result<LightProfile> tabulated(const Measured& m, std::size_t line) {
     for (const double c : candela) out.shares.push_back(static_cast<float>(c / most));
     out.candela = static_cast<float>(most);
     out.flux_per_candela = flux_of(out.shares);
+    if (!(out.flux_per_candela > 0.0F))
+        return invalid(line, "a beam too narrow for the table of a lamp", "", "a wider lamp");
     return out;
 }
 

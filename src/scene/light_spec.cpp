@@ -23,6 +23,7 @@ constexpr float default_lux = 3.0F;
 constexpr float default_candela = 10.0F;
 constexpr float default_nit = 10.0F;
 constexpr float default_elevation_deg = 45.0F;
+constexpr float least_flux = 1e-9F;  ///< lumen by candela: a cone of a thousandth of a degree
 
 /// A number within the range of its row in tables/light_keys.def.
 base::Result<float> number_of(std::string_view key, std::string_view value) {
@@ -52,15 +53,21 @@ base::Status set_temperature(Light& light, std::string_view value) {
 float flux_per_intensity(const Light& light) {
     if (const float area = area_m2(light); area > 0.0F) return math::pi * area;  // physics: 10.3
     if (light.profile) return light.profile->flux_per_candela;
-    return light.kind == LightKind::spot ? 2.0F * math::pi * (1.0F - std::cos(light.outer_cone_rad))
-                                         : 4.0F * math::pi;
+    if (light.kind != LightKind::spot) return 4.0F * math::pi;
+    const float sine = std::sin(0.5F * light.outer_cone_rad);  // 1 - cos cancels for narrow cones
+    return 4.0F * math::pi * sine * sine;
 }
 
 base::Status set_intensity(Light& light, std::string_view key, std::string_view value) {
     const auto number = number_of(key, value);
     if (!number) return tl::unexpected(number.error());
     light.intensity = *number;
-    if (key == "lumen") light.intensity = *number / flux_per_intensity(light);
+    if (key != "lumen") return {};
+    const float flux = flux_per_intensity(light);
+    if (!(flux >= least_flux))
+        return usage_error("lumen of a light that is too narrow to have any", value,
+                           "give its candela");
+    light.intensity = *number / flux;
     return {};
 }
 
@@ -93,14 +100,15 @@ base::Status set_target(Light& light, std::string_view value) {
 }
 
 base::Status set_angle(Light& light, std::string_view key, std::string_view value) {
-    const bool is_azimuth = key == "azimuth";
     const auto degrees = number_of(key, value);
     if (!degrees) return tl::unexpected(degrees.error());
-    const Vec3 from = -light.direction;
-    const float azimuth_deg = glm::degrees(std::atan2(from.x, from.z));
-    const float elevation_deg = glm::degrees(std::asin(std::clamp(from.y, -1.0F, 1.0F)));
-    light.direction = -(is_azimuth ? math::direction_from(*degrees, elevation_deg)
-                                   : math::direction_from(azimuth_deg, *degrees));
+    SkyAngles angles = sky_angles(light);
+    (key == "azimuth" ? angles.azimuth_deg : angles.elevation_deg) = *degrees;
+    // Straight above, a trace of the horizontal keeps the azimuth; cos(90 degrees) in float would
+    // turn it around.
+    constexpr float steepest_deg = 89.9999F;
+    light.direction = -math::direction_from(
+        angles.azimuth_deg, std::clamp(angles.elevation_deg, -steepest_deg, steepest_deg));
     return {};
 }
 
@@ -151,12 +159,24 @@ std::vector<std::string> keys_of(LightKind kind) {
     return out;
 }
 
-/// `shadow` and `visible` say of every kind what is so today, or ask for what is not there.
-base::Status set_switch(std::string_view key, std::string_view value) {
-    if (value == "off") return {};
-    if (value == "on")
-        return not_there_yet(fmt::format("{} of lights is not there yet", key), value);
-    return usage_error(fmt::format("{} is neither on nor off", key), value, "on or off");
+base::Result<bool> switch_of(std::string_view key, std::string_view value) {
+    if (value != "on" && value != "off")
+        return usage_error(fmt::format("{} is neither on nor off", key), value, "on or off");
+    return value == "on";
+}
+
+base::Status set_shadow(Light& light, std::string_view value) {
+    const auto on = switch_of("shadow", value);
+    if (!on) return tl::unexpected(on.error());
+    light.casts_shadow = *on;
+    return {};
+}
+
+base::Status check_visible(std::string_view value) {
+    const auto on = switch_of("visible", value);
+    if (!on) return tl::unexpected(on.error());
+    if (*on) return not_there_yet("visible of lights is not there yet", value);
+    return {};
 }
 
 base::Status check_cone(const Light& light) {
@@ -168,7 +188,7 @@ base::Status check_cone(const Light& light) {
 }
 
 base::Status set_unchecked(Light& light, std::string_view key, std::string_view value) {
-    if (key == "shadow" || key == "visible") return set_switch(key, value);
+    if (key == "visible") return check_visible(value);
     const auto keys = keys_of(light.kind);
     if (std::find(keys.begin(), keys.end(), key) == keys.end())
         return usage_error(fmt::format("unknown key of a {} light", row_of(light.kind).key), key,
@@ -183,6 +203,7 @@ base::Status set_unchecked(Light& light, std::string_view key, std::string_view 
     if (key == "inner" || key == "outer") return set_cone(light, key, value);
     if (key == "range") return set_range(light, value);
     if (key == "angle") return set_width(light, value);
+    if (key == "shadow") return set_shadow(light, value);
     if (key == "radius") return set_size(light.radius_m, key, value);
     if (key == "width") return set_size(light.width_m, key, value);
     if (key == "height") return set_size(light.height_m, key, value);
@@ -237,6 +258,12 @@ base::Status check_combination(const std::vector<KeyValue>& pairs) {
 }
 
 }  // namespace
+
+SkyAngles sky_angles(const Light& light) {
+    const Vec3 from = -light.direction;
+    return {glm::degrees(std::atan2(from.x, from.z)),
+            glm::degrees(std::asin(std::clamp(from.y, -1.0F, 1.0F)))};
+}
 
 base::Status set_light_key(Light& light, std::string_view key, std::string_view value) {
     Light changed = light;
@@ -298,14 +325,13 @@ base::Result<std::string> with_light_file(
 std::string light_key_text(const Light& light, std::string_view key) {
     const auto number = [](float x) { return fmt::format("{}", x); };
     const auto vector = [](const Vec3& v) { return fmt::format("{} {} {}", v.x, v.y, v.z); };
-    const Vec3 from = -light.direction;
     if (key == "name") return light.name;
     if (key == "color") return vector(light.color);
     if (key == "file") return light.profile ? light.profile->file : std::string();
     if (key == "position") return vector(light.position_m);
     if (key == "target") return vector(light.position_m + light.direction);
-    if (key == "azimuth") return number(glm::degrees(std::atan2(from.x, from.z)));
-    if (key == "elevation") return number(glm::degrees(std::asin(std::clamp(from.y, -1.0F, 1.0F))));
+    if (key == "azimuth") return number(sky_angles(light).azimuth_deg);
+    if (key == "elevation") return number(sky_angles(light).elevation_deg);
     if (key == "inner") return number(glm::degrees(light.inner_cone_rad));
     if (key == "outer") return number(glm::degrees(light.outer_cone_rad));
     if (key == "range") return number(light.range_m);
@@ -313,6 +339,7 @@ std::string light_key_text(const Light& light, std::string_view key) {
     if (key == "radius") return number(light.radius_m);
     if (key == "width") return number(light.width_m);
     if (key == "height") return number(light.height_m);
+    if (key == "shadow") return light.casts_shadow ? "on" : "off";
     if (key == "lumen") return number(light.intensity * flux_per_intensity(light));
     return key == row_of(light.kind).unit ? number(light.intensity) : std::string();
 }

@@ -23,6 +23,13 @@ namespace facet::scene {
 /// the range), feature_missing (a kind or key that is not there yet), those of read_profile().
 [[nodiscard]] base::Result<Light> parse_light(const std::string& spec);
 
+/// Where a light comes from, as its keys `azimuth` and `elevation` say it.
+struct SkyAngles {
+    float azimuth_deg = 0.0F;
+    float elevation_deg = 0.0F;
+};
+[[nodiscard]] SkyAngles sky_angles(const Light& light);
+
 /// Changes one value of a light; keys and errors as above. `color` and `temperature` replace the
 /// colour, `azimuth` keeps the elevation and the other way round. On an error the light is as it
 /// was.

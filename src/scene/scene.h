@@ -106,6 +106,7 @@ struct Light {
     /// Gives the light of a mesh that emits, for renderers that do not draw from meshes: the
     /// reference leaves it out.
     bool stands_in = false;
+    bool casts_shadow = true;
     bool of_environment = false;  ///< its sun: among light paths it counts as the environment's
     std::optional<std::uint32_t> source_node;  ///< that it hangs on in the file
 };

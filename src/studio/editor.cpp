@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "studio/editor.h"
 
+#include "scene/camera_spec.h"
+
 namespace facet::studio {
 namespace {
 
@@ -38,7 +40,7 @@ void Editor::paste_material(std::size_t index) {
 
 void Editor::look_from(const Orbit& from, float fov_rad) {
     tables::Settings& settings = document.settings;
-    if (settings.fov == 0.0F && !settings.camera.starts_with("orbit"))
+    if (settings.fov == 0.0F && !scene::is_orbit(settings.camera))
         settings.fov = fov_rad * 180.0F / math::pi;
     orbit = from;
     settings.camera = camera_text(from);

@@ -5,6 +5,7 @@
 #include "base/text.h"
 #include "render/job.h"
 #include "scene/camera_spec.h"
+#include "scene/light_spec.h"
 #include "tables/lights.h"
 
 #include <spdlog/fmt/fmt.h>
@@ -120,11 +121,9 @@ bool turn_light(PanelTools& tools, const Projector& to_px, std::size_t index) {
     if (!handle(tools, "gizmo.sun", *sun, tools.ui.px(11.0F))) return false;
     const ImVec2 by = ImGui::GetIO().MouseDelta;
     if (by.x == 0.0F && by.y == 0.0F) return true;
-    const math::Vec3 from = -light.direction;
-    const float azimuth = std::atan2(from.x, from.z) * 180.0F / math::pi;
-    const float elevation = std::asin(std::clamp(from.y, -1.0F, 1.0F)) * 180.0F / math::pi;
-    const float turned = std::remainder(azimuth + by.x * sun_degrees_per_px, 360.0F);
-    const float raised = std::clamp(elevation - by.y * sun_degrees_per_px, -90.0F, 90.0F);
+    const scene::SkyAngles from = scene::sky_angles(light);
+    const float turned = std::remainder(from.azimuth_deg + by.x * sun_degrees_per_px, 360.0F);
+    const float raised = std::clamp(from.elevation_deg - by.y * sun_degrees_per_px, -90.0F, 90.0F);
     tools.editor.edit(light_path(index, "sun"), [&](tables::Settings& settings) {
         set_path(settings, light_path(index, "azimuth"), number_text(turned));
         set_path(settings, light_path(index, "elevation"), number_text(raised));

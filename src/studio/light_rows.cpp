@@ -72,6 +72,10 @@ void draw_key(PanelTools& tools, const LightKeyRow& row, std::size_t index) {
     Touched touched = Touched::no;
     if (row.type == LightKeyType::text) {
         touched = text_row(tools.ui, spec, text);
+    } else if (row.type == LightKeyType::toggle) {
+        bool on = text == "on";
+        touched = toggle_row(tools.ui, spec, on);
+        text = on ? "on" : "off";
     } else if (row.type == LightKeyType::number) {
         float value = static_cast<float>(base::parse_number(text).value_or(6500.0));
         touched = number_row(tools.ui, spec, value);

@@ -87,10 +87,8 @@ struct Row {
     }
     void operator()(bool Settings::*field) const {
         bool on = tools.editor.document.settings.*field;
-        row_label(tools.ui, spec.label, spec.help);
-        if (ImGui::Checkbox(("##" + spec.name).c_str(), &on))
+        if (toggle_row(tools.ui, spec, on) == Touched::changed)
             change([&](Settings& s) { s.*field = on; });
-        tools.ui.mark(spec.name);
     }
     void operator()(math::Extent Settings::*field) const {
         const math::Extent now = tools.editor.document.settings.*field;

@@ -131,6 +131,13 @@ Touched number_row(Ui& ui, const SliderSpec& spec, float& value) {
     return reset ? Touched::reset : changed ? Touched::changed : Touched::no;
 }
 
+Touched toggle_row(Ui& ui, const SliderSpec& spec, bool& on) {
+    row_label(ui, spec.label, spec.help);
+    const bool clicked = ImGui::Checkbox(("##" + spec.name).c_str(), &on);
+    ui.mark(spec.name);
+    return clicked ? Touched::changed : Touched::no;
+}
+
 Touched color_row(Ui& ui, const SliderSpec& spec, math::Vec3& linear) {
     ImGui::PushID(spec.name.c_str());
     row_label(ui, spec.label, spec.help);

@@ -26,6 +26,8 @@ enum class Touched { no, changed, reset };
 
 /// A labelled slider for `value`; a number can be typed after Ctrl+click.
 [[nodiscard]] Touched number_row(Ui& ui, const SliderSpec& spec, float& value);
+/// A labelled check box.
+[[nodiscard]] Touched toggle_row(Ui& ui, const SliderSpec& spec, bool& on);
 /// A labelled colour; linear Rec.709. Its popup takes sRGB, linear numbers, #rrggbb and a
 /// temperature.
 [[nodiscard]] Touched color_row(Ui& ui, const SliderSpec& spec, math::Vec3& linear);

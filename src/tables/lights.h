@@ -27,7 +27,7 @@ inline constexpr auto light_kinds = std::to_array<LightKindRow>({
 #include "tables/light_kinds.def"
 });
 
-enum class LightKeyType { number, vector, color, text };
+enum class LightKeyType { number, vector, color, toggle, text };
 
 /// One row of light_keys.def.
 struct LightKeyRow {

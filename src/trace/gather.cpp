@@ -253,8 +253,9 @@ private:
             const float allowed = settings_.error * (seen_nit(i) + least);
             const float needed =
                 variance * draws / (allowed * allowed * static_cast<float>(settings_.frames));
-            at_sample_[i] = static_cast<std::uint8_t>(
-                std::clamp(needed, 1.0F, static_cast<float>(settings_.most_at_sample)));
+            const auto most = static_cast<float>(settings_.most_at_sample);
+            at_sample_[i] =  // the most too where the sums have no end
+                static_cast<std::uint8_t>(needed < most ? std::max(needed, 1.0F) : most);
         }
     }
 

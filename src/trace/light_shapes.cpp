@@ -3,7 +3,7 @@
 #include "trace/light_shapes.h"
 
 #include "brdf/light_terms.h"
-#include "scene/light_profile.h"
+#include "scene/light_at.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,31 +20,7 @@ using Terms = brdf::LightTerms<float>;
 /// Below this a rectangle's solid angle cancels in float, and area is as good.
 constexpr float small_sr = 1e-3F;
 
-float inverse_range2_of(const Light& light) {
-    return light.range_m > 0.0F ? 1.0F / (light.range_m * light.range_m) : 0.0F;
-}
-
-/// Lux at normal incidence from a light without a size (KHR_lights_punctual, as the rasteriser's
-/// light lists).
-Vec3 illuminance(const Light& light, const Vec3& to_light, float distance2) {
-    Terms terms;
-    Vec3 lux =
-        terms.light_point(light.color * light.intensity, distance2, inverse_range2_of(light));
-    if (light.kind == LightKind::spot) {
-        const Vec2 edge =
-            terms.spot_edge(std::cos(light.inner_cone_rad), std::cos(light.outer_cone_rad));
-        lux *= terms.light_spot(-math::dot(to_light, light.direction), edge.x, edge.y);
-    } else if (light.profile) {
-        lux *= scene::profile_share(light, -to_light);
-    }
-    return lux;
-}
-
 }  // namespace
-
-float range_window(const Light& light, float distance2_m2) {
-    return Terms{}.light_window(distance2_m2, inverse_range2_of(light));
-}
 
 Vec3 directional_way(const Light& light, Vec2 u) {
     if (light.angle_rad <= 0.0F) return -light.direction;
@@ -57,7 +33,7 @@ LightSample sample_point(const Light& light, const Vec3& to_center) {
     LightSample out;
     out.distance_m = std::sqrt(distance2);
     out.direction = to_center / out.distance_m;
-    out.light = illuminance(light, out.direction, distance2);
+    out.light = scene::illuminance_lux(light, out.direction, distance2);
     return out;
 }
 

@@ -7,7 +7,6 @@
 namespace facet::trace {
 
 /// What a light's range leaves of it at a distance.
-[[nodiscard]] float range_window(const scene::Light& light, float distance2_m2);
 
 /// One way to light a point.
 struct LightSample {
@@ -16,6 +15,7 @@ struct LightSample {
     math::Vec3 light{0.0F};  ///< lux at normal incidence of a light without a size, else nit
     float pdf = 0.0F;        ///< 1/sr of a light with a size; 0: nothing to light with
     bool has_size = false;
+    bool casts_shadow = true;
 };
 
 /// A directional light: a direction within the cone that it fills, evenly drawn.

@@ -4,6 +4,7 @@
 
 #include "brdf/light_terms.h"
 #include "math/color.h"
+#include "scene/light_at.h"
 
 #include <algorithm>
 #include <cmath>
@@ -81,8 +82,8 @@ float Lights::weight(const Light& light, const Vec3& position_m) const {
     const float distance2 = math::dot(to_center, to_center);
     if (!is_sized(light)) return math::luminance(sample_point(light, to_center).light);
     const float area = scene::area_m2(light);
-    return math::luminance(light.color) * light.intensity * area * range_window(light, distance2) /
-           std::max(distance2, 0.25F * area);
+    return math::luminance(light.color) * light.intensity * area *
+           scene::range_window(light, distance2) / std::max(distance2, 0.25F * area);
 }
 
 float Lights::mesh_weight(const Vec3& position_m) const {
@@ -120,13 +121,20 @@ Lights::Choice Lights::choose(const Vec3& position_m, float u, Among among) cons
 LightSample Lights::sample(const Choice& choice, const Vec3& position_m, Vec2 u, float pick) const {
     if (choice.light >= lights_.size()) return sample_mesh(position_m, u, pick);
     const Light& light = lights_[choice.light];
-    if (light.kind == LightKind::directional)
-        return {directional_way(light, u), 1e30F, light.color * light.intensity, 0.0F, false};
     const Vec3 to_center = light.position_m - position_m;
-    if (!is_sized(light)) return sample_point(light, to_center);
-    LightSample out = sample_shape(light, axes_[choice.light], to_center, u);
-    out.light =
-        light.color * (light.intensity * range_window(light, math::dot(to_center, to_center)));
+    LightSample out;
+    if (light.kind == LightKind::directional) {
+        out.direction = directional_way(light, u);
+        out.distance_m = 1e30F;
+        out.light = light.color * light.intensity;
+    } else if (!is_sized(light)) {
+        out = sample_point(light, to_center);
+    } else {
+        out = sample_shape(light, axes_[choice.light], to_center, u);
+        out.light = light.color *
+                    (light.intensity * scene::range_window(light, math::dot(to_center, to_center)));
+    }
+    out.casts_shadow = light.casts_shadow;
     return out;
 }
 
@@ -176,10 +184,11 @@ Vec3 Lights::met(const Ray& ray, float pdf, float total_weight) const {
         float own = 0.0F;
         const Vec3 to_center = light.position_m - ray.origin;
         const float distance = hit_shape(light, axes_[i], to_center, ray.direction, own);
-        if (distance <= ray.near_m || distance > ray.far_m) continue;
+        const float far_m = light.casts_shadow ? ray.far_m : Ray{}.far_m;
+        if (distance <= ray.near_m || distance > far_m) continue;
         const float chosen = chance(weight(light, ray.origin), total_weight);
         sum += light.color * (light.intensity * power_share(pdf, own * chosen) *
-                              range_window(light, math::dot(to_center, to_center)));
+                              scene::range_window(light, math::dot(to_center, to_center)));
     }
     return sum;
 }

@@ -54,9 +54,9 @@ public:
                                         const math::Vec3& normal) const;
 
     /// Radiance of the lights with a size that a ray meets between `near_m` and `far_m`: all of
-    /// them, as none hides another. Each is weighted against sample(), which would have drawn that
-    /// direction too, by the power heuristic; `pdf` is the ray's own density, `total_weight` that
-    /// of choose() at its origin.
+    /// them, as none hides another, and those beyond it that cast no shadow. Each is weighted
+    /// against sample(), which would have drawn that direction too, by the power heuristic; `pdf`
+    /// is the ray's own density, `total_weight` that of choose() at its origin.
     [[nodiscard]] math::Vec3 met(const Ray& ray, float pdf, float total_weight) const;
     /// Density with which sample() would have drawn the place of a mesh that emits, met by a ray at
     /// `hit`, where it emits.

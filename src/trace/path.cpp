@@ -287,10 +287,13 @@ private:
         if (sample.light == Vec3(0.0F) || (sample.has_size && !(sample.pdf > 0.0F))) return;
         const Scattered f = bsdf.evaluate(sample.direction);
         if (f.of_light == Vec3(0.0F)) return;
-        ++out_.rays;
-        constexpr float almost = 1.0F - 1e-4F;  // the light's own mesh is no shadow
-        const float through = world_.geometry.transmittance(
-            {origin, sample.direction, 0.0F, sample.distance_m * almost});
+        float through = 1.0F;
+        if (sample.casts_shadow) {
+            ++out_.rays;
+            constexpr float almost = 1.0F - 1e-4F;  // the light's own mesh is no shadow
+            through = world_.geometry.transmittance(
+                {origin, sample.direction, 0.0F, sample.distance_m * almost});
+        }
         if (through == known_) return;
         float factor = (through - known_) / choice.probability;
         if (sample.has_size) {

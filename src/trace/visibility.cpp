@@ -26,7 +26,7 @@ float visible(const World& world, const Surface& surface, const scene::Light& li
     if (math::dot(surface.normal, ray.direction) <= 0.0F ||
         math::dot(surface.face_normal, ray.direction) <= 0.0F)
         return 0.0F;
-    return world.geometry.transmittance(ray);
+    return light.casts_shadow ? world.geometry.transmittance(ray) : 1.0F;
 }
 
 }  // namespace

@@ -62,6 +62,27 @@ TEST(Render, ToStandardOutputIsAPngAndNothingElse) {
     EXPECT_TRUE(ran.out.starts_with(png_magic));
     EXPECT_EQ(ran.out.substr(ran.out.size() - 8, 4), "IEND");
 }
+// What a file's plan sets holds for standard output too: gamut, depth, metadata, --strict.
+TEST(Render, ToStandardOutputHasTheBytesOfAFile) {
+    const TemporaryFolder folder;
+    const std::string file = (folder / "a.png").string();
+    for (const char* const gamut : {"srgb", "p3", "rec2020-pq"}) {
+        const Ran written = facet(with({"-o", file, "--gamut", gamut}));
+        const Ran piped = facet(with({"-o", "-", "--gamut", gamut}));
+        ASSERT_EQ(written.exit, 0) << written.err;
+        EXPECT_EQ(piped.out, text_of(file)) << gamut;
+    }
+    EXPECT_EQ(facet(with({"-o", "-", "--depth", "half"})).exit, 2);
+    const std::vector<std::string> strict = {"--strict",  "--set", "material.ball.roughness=0.5",
+                                             "--shadows", "maps",  "--ground",
+                                             "shadow"};
+    auto to = [&](const std::string& output) {
+        auto words = strict;
+        words.insert(words.end(), {"-o", output});
+        return facet(with(words)).exit;
+    };
+    EXPECT_EQ(to("-"), to(file));
+}
 TEST(Render, GivesTheSameBytesForAnyNumberOfThreadsAndAnyLocale) {
     const Ran one = facet(with({"-o", "-", "--threads", "1"}));
     const Ran two = facet(with({"-o", "-", "--threads", "3"}),

@@ -59,6 +59,27 @@ TEST(ShadowViews, OneOfThemSeesEachPlaceOfTheScene) {
     EXPECT_FLOAT_EQ(plan.casters[2].radius_m, 0.5F);
 }
 
+// glTF allows znear 0 there, and the scene may begin behind it.
+TEST(ShadowViews, OfAParallelCameraThatBeginsAtTheEyeAreFinite) {
+    scene::Camera parallel = camera();
+    parallel.projection = scene::Projection::orthographic;
+    parallel.near_m = 0.0F;
+    parallel.world_from_view[3].z = 1.0F;
+    const std::vector<Light> sun = {
+        {.kind = LightKind::directional, .direction = math::normalize(Vec3(1.0F, -2.0F, -1.0F))}};
+    const ShadowPlan plan = plan_shadow_views(sun, parallel, picture, bounds);
+    ASSERT_FALSE(plan.views.empty());
+    for (const ShadowView& view : plan.views)
+        for (int column = 0; column < 4; ++column)
+            for (int row = 0; row < 4; ++row)
+                EXPECT_TRUE(std::isfinite(view.clip_from_world[column][row]));
+}
+
+TEST(ShadowViews, ALightThatCastsNoShadowHasNone) {
+    const std::vector<Light> lights = {{.kind = LightKind::point, .casts_shadow = false}};
+    EXPECT_TRUE(plan_shadow_views(lights, camera(), picture, bounds).views.empty());
+}
+
 TEST(ShadowViews, CubeFacesAreInTheOrderThatTheShaderChoosesThem) {
     const std::vector<Light> lights = {{.kind = LightKind::point, .position_m = Vec3(0.0F)}};
     const ShadowPlan plan = plan_shadow_views(lights, camera(), picture, bounds);

@@ -1,8 +1,8 @@
 // A camera's faults and motion in pictures: raster and reference against closed forms.
 // SPDX-License-Identifier: MIT
 #include "math/color.h"
-#include "render/render.h"
 #include "scene/lens.h"
+#include "support/rendered.h"
 
 #include <gtest/gtest.h>
 
@@ -15,12 +15,8 @@ namespace {
 /// Radiance of a picture, f32 [height, width, 4].
 image::Image radiance_of(Request request) {
     request.want_linear = true;
-    base::Log log;
-    auto rendered = render(request, log);
-    if (!rendered) {
-        ADD_FAILURE() << base::to_line(rendered.error());
-        return {request.settings.size, 4, image::Sample::f32};
-    }
+    auto rendered = test::rendered(request);
+    if (!rendered) return {request.settings.size, 4, image::Sample::f32};
     return std::move(rendered->layers.front().image);
 }
 
@@ -200,6 +196,21 @@ double shown(Request request) {
 // A card that fills the picture. Automatic exposure shows it at 0.18. A meter that reads the light
 // it reflects (L = 12.5 / 100 2^EV, ISO 2720) at 1 / (1.2 * 8) = 0.104; one that reads the light on
 // it (E = 250 / 100 2^EV) shows a card of 18 % at 0.18 * 2.5 / (1.2 pi) = 0.119.
+// A lens that hardly bends anything is exposed as one that does not: covered pixels are found in
+// the view that is bent, rows of light with rows of depth.
+TEST(Camera, ABentPictureIsExposedAsAStraightOne) {
+    Request request{.scene = "builtin:spheres"};
+    tables::Settings& s = request.settings;
+    s.size = {128, 96};
+    s.env = "sky";
+    s.quality = "draft";
+    const auto straight = test::rendered(request);
+    s.distortion = 0.0001F;
+    const auto bent = test::rendered(request);
+    ASSERT_TRUE(straight && bent);
+    EXPECT_NEAR(bent->exposure / straight->exposure, 1.0, 0.05);
+}
+
 TEST(Camera, AGreyCardIsExposedAsMetersSay) {
     Request request{.scene = "builtin:ball"};
     tables::Settings& s = request.settings;

@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 namespace facet::scene {
 namespace {
 
@@ -29,6 +31,29 @@ TEST(Lens, FocalLengthAndPupilAreThoseOfTheFullFrameFormat) {
 TEST(Lens, ExposureValueIsThatOfIso2720) {
     EXPECT_NEAR(exposure_value(16.0, 1.0 / 128.0, 100.0), 15.0, 1e-9);
     EXPECT_NEAR(exposure_value(8.0, 1.0 / 64.0, 200.0), 11.0, 1e-9);
+}
+
+// Any count of samples: each has a time of its own, and their mean is the middle.
+TEST(Lens, TimesOfSamplesAreEven) {
+    for (std::uint32_t count = 1; count <= 100; ++count) {
+        double sum = 0.0;
+        std::set<float> times;
+        for (std::uint32_t i = 0; i < count; ++i) {
+            times.insert(frame::sample_time(i, count));
+            sum += static_cast<double>(frame::sample_time(i, count));
+        }
+        EXPECT_EQ(times.size(), count);
+        EXPECT_NEAR(sum / count, 0.5, 1e-5) << count;
+    }
+}
+
+TEST(Lens, TheFirstSampleLooksThroughItsMiddle) {
+    for (const std::uint32_t blades : {0U, 6U}) {
+        Camera camera = camera_at_origin();
+        camera.blades = blades;
+        const auto view = frame::sample_view(camera, {64, 64}, {0, 0, {64, 64}}, 0, 1);
+        EXPECT_LT(math::length(Vec3(view.eye_m)), 1e-7F) << blades;
+    }
 }
 
 TEST(Lens, PlacesAreEvenOverADiskAndWithinAPolygon) {

@@ -1,6 +1,7 @@
 // Lights of a picture, raster against reference.
 // SPDX-License-Identifier: MIT
 #include "support/rendered.h"
+#include "support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -37,6 +38,77 @@ TEST(LightsWithoutRays, ThoseWithASizeAreAsTheReferenceHasThem) {
           "tube:position=0 2.2 1.5,target=0 0 0,width=3,radius=0.1,nit=30",
           "rect:position=0 3 0,target=0 0 0,width=2,height=1,nit=20,range=4"}) {
         EXPECT_LT(error_of(light, "off", "0.6"), 0.02) << light;
+    }
+}
+
+/// A pane of half coverage, 2 m wide, in the plane z = 0.
+std::filesystem::path write_pane(const support::TemporaryFolder& folder) {
+    const std::filesystem::path file = folder / "pane.gltf";
+    std::ofstream(file)
+        << R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
+"meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1,"material":0}]}],
+"materials":[{"alphaMode":"BLEND","doubleSided":true,
+"pbrMetallicRoughness":{"baseColorFactor":[0.8,0.6,0.4,0.5],"metallicFactor":0,"roughnessFactor":0.6}}],
+"accessors":[{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","min":[-1,-1,0],"max":[1,1,0]},
+{"bufferView":1,"componentType":5123,"count":6,"type":"SCALAR"}],
+"bufferViews":[{"buffer":0,"byteLength":48},{"buffer":0,"byteOffset":48,"byteLength":12}],
+"buffers":[{"byteLength":60,"uri":"data:application/octet-stream;base64,)"
+           "AACAvwAAgL8AAAAAAACAPwAAgL8AAAAAAACAPwAAgD8AAAAAAACAvwAAgD8AAAAAAAABAA"
+           "IAAAACAAMA"
+        << R"("}]})";
+    return file;
+}
+
+// With rays too, which do not know of it: one pane throws no shadow on itself.
+TEST(BlendedSurface, IsLitByEveryKindOfLight) {
+    const support::TemporaryFolder folder;
+    Request request{.scene = write_pane(folder).string()};
+    tables::Settings& s = request.settings;
+    s.size = {80, 60};
+    s.env = "black";
+    s.background = "none";
+    s.tonemap = "none";
+    s.exposure = "1";
+    s.camera = "orbit:azimuth=0,elevation=0";
+    s.reference = "64";
+    s.compare = true;
+    for (const char* const light :
+         {"directional:azimuth=40,elevation=30,lux=3", "point:position=0.5 0.5 1.5,candela=5",
+          "rect:position=0.5 1 1.5,target=0 0 0,nit=5",
+          "sphere:position=-1 0.5 1,radius=0.2,nit=20"})
+        for (const char* const shadows : {"traced", "off"}) {
+            s.light = {light};
+            s.shadows = shadows;
+            EXPECT_LT(test::rmse_to_reference(request), 0.01) << light << ' ' << shadows;
+        }
+}
+
+// Through the ceiling of a box, of a lamp with and without a size.
+TEST(ShadowOfALight, ThatIsOffIsInRasterAndReferenceAlike) {
+    Request request{.scene = "builtin:cornell"};
+    tables::Settings& s = request.settings;
+    s.size = {80, 60};
+    s.env = "black";
+    s.tonemap = "none";
+    s.exposure = "1";
+    s.set = {"material.lamp.emissive=0 0 0"};
+    for (const std::string light :
+         {"point:position=0 3 0,candela=9", "rect:position=0 3 0,target=0 0 0,nit=9"}) {
+        s.light = {light};
+        const auto dark = test::rendered(request);
+        ASSERT_TRUE(dark);
+        const auto codes = dark->display.as<std::uint8_t>();
+        const std::size_t floor = (std::size_t{50} * 80 + 40) * 4;
+        EXPECT_LT(codes[floor], 30) << light;
+        s.light = {light + ",shadow=off"};
+        const auto lit = test::rendered(request);
+        ASSERT_TRUE(lit);
+        EXPECT_GT(lit->display.as<std::uint8_t>()[floor], 60) << light;
+        s.reference = "256";
+        s.compare = true;
+        EXPECT_LT(test::rmse_to_reference(request), 0.03) << light;
+        s.reference.clear();
+        s.compare = false;
     }
 }
 

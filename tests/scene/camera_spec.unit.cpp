@@ -47,6 +47,18 @@ TEST(ResolveCamera, FindsByNameByNodeAndByIndex) {
     EXPECT_EQ(resolve_camera(scene, "0", 0.0F, wide)->yfov_rad, 0.5F);
     EXPECT_EQ(resolve_camera(scene, "auto", 0.0F, wide)->yfov_rad, 0.5F);
 }
+TEST(ResolveCamera, TakesANameThatBeginsWithOrbit) {
+    EXPECT_TRUE(is_orbit("orbit"));
+    EXPECT_TRUE(is_orbit("orbit:azimuth=3"));
+    EXPECT_FALSE(is_orbit("orbit1"));
+    Scene scene;
+    scene.cameras.push_back({.name = "orbit1"});
+    scene.cameras.back().yfov_rad = 0.125F;
+    const auto found = resolve_camera(scene, "orbit1", 0.0F, {64, 64});
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->yfov_rad, 0.125F);
+}
+
 TEST(ResolveCamera, PrefersANameToAnIndex) {
     Scene scene = scene_with_cameras();
     scene.cameras[1].name.assign(1, '0');

@@ -51,6 +51,27 @@ TEST(LightSpec, TargetAimsFromThePositionWhateverTheOrderOfTheKeys) {
     expect_near(light("spot:candela=1").direction, {0.0F, -1.0F, 0.0F});
 }
 
+TEST(LightSpec, AnglesAimALampThatShinesStraightDownWhateverTheOrderOfTheKeys) {
+    const Vec3 from_the_right = math::normalize(Vec3(-1.0F, -1.0F, 0.0F));
+    expect_near(light("spot:position=0 3 0,azimuth=90,elevation=45").direction, from_the_right);
+    expect_near(light("rect:elevation=45,azimuth=90,position=0 3 0").direction, from_the_right);
+    Light lamp = light("spot:position=0 3 0");
+    ASSERT_TRUE(set_light_key(lamp, "azimuth", "90"));
+    expect_near(lamp.direction, {0.0F, -1.0F, 0.0F});
+    EXPECT_NEAR(sky_angles(lamp).azimuth_deg, 90.0F, 1e-3F);
+    ASSERT_TRUE(set_light_key(lamp, "elevation", "45"));
+    expect_near(lamp.direction, from_the_right);
+}
+
+TEST(LightSpec, LumenOfALampTooNarrowToHaveAnyIsRefused) {
+    EXPECT_TRUE(std::isfinite(light("spot:outer=0.1,lumen=1").intensity));
+    Light needle = light("spot:candela=1");
+    needle.inner_cone_rad = 0.0F;
+    needle.outer_cone_rad = 1e-6F;
+    EXPECT_FALSE(set_light_key(needle, "lumen", "1"));
+    EXPECT_EQ(needle.intensity, 1.0F);
+}
+
 TEST(LightSpec, LumenOfAPointIsFourPiCandela) {
     EXPECT_NEAR(light("point:lumen=800").intensity, 800.0F / (4.0F * math::pi), 1e-3F);
     EXPECT_EQ(light("point:candela=12").intensity, 12.0F);
@@ -115,7 +136,14 @@ TEST(LightSpec, SpotWhoseInnerAngleIsNotBelowItsOuterIsRefused) {
 
 TEST(LightSpec, KeysOfTheContractThatAreNotThereYetSaySo) {
     refusal("point:visible=on", ErrorCode::feature_missing);
-    EXPECT_EQ(light("point:visible=off,shadow=off").kind, LightKind::point);
+    EXPECT_EQ(light("point:visible=off").kind, LightKind::point);
+    refusal("point:visible=maybe");
+}
+
+TEST(LightSpec, ShadowIsOnOrOff) {
+    EXPECT_TRUE(light("point").casts_shadow);
+    EXPECT_TRUE(light("point:shadow=on").casts_shadow);
+    EXPECT_FALSE(light("rect:shadow=off").casts_shadow);
     refusal("point:shadow=maybe");
 }
 

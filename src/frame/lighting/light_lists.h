@@ -49,6 +49,11 @@ struct LightLists {
     std::vector<std::uint32_t> tiles;    ///< pairs: first in `indices`; count of those without a
                                          ///< size, and above 16 bits of those with one
     std::vector<std::uint16_t> indices;  ///< of PackedLights
+
+    [[nodiscard]] std::span<const std::uint16_t> of_tile(std::size_t tile) const {
+        const std::uint32_t counts = tiles[2 * tile + 1];
+        return std::span(indices).subspan(tiles[2 * tile], (counts & 0xFFFFU) + (counts >> 16U));
+    }
 };
 
 /// Tiles are looked at in cells of this many pixels: a tile on an edge sees two places, and not

@@ -50,7 +50,7 @@ public:
     /// Encodes the summed radiance `sum` into the pass's own target.
     [[nodiscard]] base::Status run(const gl::Context& gl, const gl::Texture& sum, math::Extent size,
                                    const DisplaySettings& settings, const gl::VertexArray& empty);
-    /// What run() drew last: RGBA, sRGB-encoded, straight alpha, rows from the top.
+    /// What run() drew last: RGBA, in codes of the gamut, straight alpha, rows from the top.
     [[nodiscard]] image::Image read(const gl::Context& gl) const;
     [[nodiscard]] const gl::Texture& texture() const { return target_.color; }
 

@@ -32,8 +32,7 @@ TileLights tile_lights(const PackedLights& lights, const LightLists* lists) {
         add_tile({});
     } else {
         out.tiles_across = lists->tiles_across;
-        for (std::size_t t = 0; t < lists->tiles.size(); t += 2)
-            add_tile(std::span(lists->indices).subspan(lists->tiles[t], lists->tiles[t + 1]));
+        for (std::size_t t = 0; t < lists->tiles.size(); t += 2) add_tile(lists->of_tile(t / 2));
     }
     out.first.push_back(static_cast<std::uint32_t>(out.indices.size()));
     return out;

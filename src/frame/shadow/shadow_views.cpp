@@ -65,7 +65,7 @@ Vec2 depth_range(const scene::Camera& camera, const math::Bounds& bounds) {
         range = {std::min(range.x, depth), std::max(range.y, depth)};
     }
     const float nearest = std::max(range.x, camera.near_m);
-    return {nearest, std::max(range.y, nearest * 1.001F)};
+    return {nearest, std::max(range.y, nearest * 1.001F + 1e-6F)};
 }
 
 /// Around what the camera sees between two depths.
@@ -107,10 +107,12 @@ ShadowView parallel(const Light& light, const Sphere& around, const Sphere& scen
             0.5F / around.radius_m};
 }
 
-float split(Vec2 range, std::uint32_t i, std::uint32_t count) {
+/// A parallel view, which may begin at 0, is as wide everywhere: even slices.
+float split(const scene::Camera& camera, Vec2 range, std::uint32_t i, std::uint32_t count) {
     const float share = static_cast<float>(i) / static_cast<float>(count);
-    return std::lerp(std::lerp(range.x, range.y, share),
-                     range.x * std::pow(range.y / range.x, share), ratio_share);
+    const float even = std::lerp(range.x, range.y, share);
+    if (camera.projection != scene::Projection::perspective) return even;
+    return std::lerp(even, range.x * std::pow(range.y / range.x, share), ratio_share);
 }
 
 float radius_of(const Light& light) {
@@ -173,8 +175,8 @@ ShadowPlan plan_shadow_views(std::span<const Light> lights, const scene::Camera&
     const Vec2 range = depth_range(camera, bounds_m);
     std::array<Sphere, most_cascades> slices;
     for (std::uint32_t i = 0; i < most_cascades; ++i)
-        slices[i] = slice(camera, picture, split(range, i, most_cascades),
-                          split(range, i + 1, most_cascades));
+        slices[i] = slice(camera, picture, split(camera, range, i, most_cascades),
+                          split(camera, range, i + 1, most_cascades));
     // Where the nearest slice is as large as the scene, one map shows all of it as finely.
     std::uint32_t cascades = most_cascades;
     if (slices[0].radius_m > 0.7F * scene.radius_m) {
@@ -187,6 +189,7 @@ ShadowPlan plan_shadow_views(std::span<const Light> lights, const scene::Camera&
     for (std::size_t i = 0; i < lights.size(); ++i) {
         const ShadowKind kind = kind_of(lights[i]);
         const std::uint32_t count = views_of(kind, cascades);
+        if (!lights[i].casts_shadow) continue;
         if (tiles + count > most_tiles) continue;
         plan.casters[i] = {kind, tiles, count, radius_of(lights[i])};
         tiles += count;
