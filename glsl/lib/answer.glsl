@@ -23,7 +23,7 @@ float mixed_specular(vec3 f0, float v_dot_h, float d_v, vec4 albedo, float e_l) 
 // albedo    the table's texel at n.v (brdf_view); e_l: A + B at n.l
 float answer(int term, vec4 cosines, vec4 material, vec4 albedo, float e_l) {
     BrdfSurface s = brdf_surface(vec3(material.w), material.y, material.x);
-    s.dielectric_f0 = material.z;
+    s.dielectric_f0 = vec3(material.z);
     vec3 mixed_f0 = vec3(mix(material.z, material.w, material.y));
     float v = slot_masking(cosines.x, cosines.y, s.roughness, s.alpha);
     if (term == TERM_D) return slot_distribution(cosines.z, s.alpha);

@@ -8,6 +8,10 @@ struct Surface {
     float roughness;
     float ao;
     vec3 emissive_nit;
+#if FACET_SPECULAR
+    vec3 dielectric_f0;
+    float specular;
+#endif
 };
 
 in vec3 vertex_normal;
@@ -27,6 +31,8 @@ uniform sampler2D metallic_roughness_texture;
 uniform sampler2D normal_texture;
 uniform sampler2D occlusion_texture;
 uniform sampler2D emissive_texture;
+uniform sampler2D specular_texture;
+uniform sampler2D specular_color_texture;
 
 vec2 slot_uv(int slot) {
 #if FACET_UV_GENERAL
@@ -127,6 +133,21 @@ Surface fetch_surface() {
     s.emissive_nit = draw.emissive_nit_cutoff.rgb;
 #if FACET_EMISSIVE_TEXTURE
     s.emissive_nit *= texture(emissive_texture, slot_uv(4)).rgb;
+#endif
+#if FACET_SPECULAR
+    s.dielectric_f0 = draw.dielectric_f0_specular.rgb;
+    s.specular = draw.dielectric_f0_specular.a;
+#if FACET_SPECULAR_COLOR_TEXTURE
+    vec4 tint = texture(specular_color_texture, slot_uv(6));
+    s.dielectric_f0 *= tint.rgb;
+#if FACET_GLOSSINESS
+    s.roughness = 1.0 - (1.0 - s.roughness) * tint.a;
+#endif
+#endif
+    s.dielectric_f0 = min(s.dielectric_f0, vec3(1.0));
+#if FACET_SPECULAR_TEXTURE
+    s.specular *= texture(specular_texture, slot_uv(5)).a;
+#endif
 #endif
     s.normal = shading_normal();
     return s;

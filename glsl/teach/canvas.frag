@@ -26,7 +26,7 @@ vec3 shown(vec3 n) {
     float n_dot_h = clamp(dot(n, h), 0.0, 1.0);
     float v_dot_h = clamp(h.z, 0.0, 1.0);
     BrdfSurface s = brdf_surface(base_tint * surface.w, surface.y, surface.x);
-    s.dielectric_f0 = surface.z;
+    s.dielectric_f0 = vec3(surface.z);
     BrdfView seen = brdf_view(s, n_dot_v, table_at(n_dot_v, surface.x));
     if (view > 2) {
         BrdfTerms terms = brdf_terms(seen, n_dot_l, n_dot_h, v_dot_h);

@@ -35,7 +35,7 @@ void main() {
         else if (i < 13.0) value = cosines[int(i) - 9];
         else {
             BrdfSurface s = brdf_surface(vec3(surface.w), surface.y, surface.x);
-            s.dielectric_f0 = surface.z;
+            s.dielectric_f0 = vec3(surface.z);
             BrdfValue w = brdf_environment(brdf_view(s, cosines.x, table_at(cosines.x, surface.x)));
             value = i < 14.0 ? w.specular.x : w.diffuse.x;
         }

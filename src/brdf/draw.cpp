@@ -11,7 +11,7 @@ using Lobe = Terms<double>;
 
 Lobe::BrdfView view_of(Lobe& terms, const QuerySurface& s, Queries& queries) {
     auto surface = terms.brdf_surface(Lobe::real3(s.base), s.metallic, s.roughness);
-    surface.dielectric_f0 = s.f0;
+    surface.dielectric_f0 = Lobe::real3(s.f0);
     const ExactAlbedo& albedo = queries.albedo(s.n_dot_v, s.roughness);
     return terms.brdf_view(surface, s.n_dot_v, {albedo.a, albedo.b, albedo.average, 1.0});
 }

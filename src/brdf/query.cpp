@@ -82,7 +82,7 @@ double Queries::lobe(QueryTerm term, const QuerySurface& surface, const LightNod
     if (term == QueryTerm::specular) return mixed_specular(surface, at, e_l);
     Lobe terms{choice_};
     auto s = terms.brdf_surface(Color(surface.base), surface.metallic, surface.roughness);
-    s.dielectric_f0 = surface.f0;
+    s.dielectric_f0 = Color(surface.f0);
     const ExactAlbedo exact =
         terms.slot_conserves() ? albedo(surface.n_dot_v, surface.roughness) : ExactAlbedo{};
     // The albedo of the diffuse lobe is for the environment alone.

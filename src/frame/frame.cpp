@@ -63,6 +63,7 @@ base::Status Frame::resize(const gl::Context& gl, const FrameSpec& spec) {
 base::Status Frame::make_targets(const gl::Context& gl) {
     const GBufferSpec wanted{.size = size(),
                              .emissive = spec_.emissive || wants(spec_.aovs, tables::Aov::emissive),
+                             .specular = spec_.specular,
                              .ids = wants(spec_.aovs, tables::Aov::object_id) ||
                                     wants(spec_.aovs, tables::Aov::material_id),
                              .triangles = spec_.rays};

@@ -29,6 +29,7 @@ struct FrameSpec {
     math::Extent picture;
     Region region;
     bool emissive = false;  ///< some material emits
+    bool specular = false;  ///< some reflects as no plain dielectric does
     bool rays = false;      ///< FrameInputs::rays may be there
     bool maps = false;      ///< shadow maps and ambient visibility, where they are not
     std::vector<tables::Aov> aovs;

@@ -38,6 +38,10 @@ trace::SeenPixel pixel_of(const frame::ReadSurfaces& s, const frame::GpuScene& s
     out.base_color = Vec3(albedo[0], albedo[1], albedo[2]) / codes16;
     out.metallic = static_cast<float>(s.metal_rough_ao[at * 4]) / codes8;
     out.roughness = static_cast<float>(s.metal_rough_ao[at * 4 + 1]) / codes8;
+    if (s.specular.empty()) return out;
+    const std::uint16_t* specular = s.specular.data() + at * 4;
+    out.dielectric_f0 = Vec3(specular[0], specular[1], specular[2]) / codes16;
+    out.specular = static_cast<float>(specular[3]) / codes16;
     return out;
 }
 

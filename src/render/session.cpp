@@ -58,6 +58,7 @@ frame::FrameSpec Session::frame_spec() const {
     return {.picture = plan_.picture,
             .region = plan_.region,
             .emissive = scene_.emits,
+            .specular = scene_.has_specular,
             .rays = plan_.rays.any(),
             .maps = plan_.has_maps,
             .aovs = plan_.aovs};

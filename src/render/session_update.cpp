@@ -25,8 +25,8 @@ bool camera_differs(const Settings& a, const Settings& b) {
 
 bool targets_differ(const frame::FrameSpec& a, const frame::FrameSpec& b) {
     return a.picture != b.picture || a.region.x != b.region.x || a.region.y != b.region.y ||
-           a.region.size != b.region.size || a.emissive != b.emissive || a.rays != b.rays ||
-           a.maps != b.maps || a.aovs != b.aovs;
+           a.region.size != b.region.size || a.emissive != b.emissive || a.specular != b.specular ||
+           a.rays != b.rays || a.maps != b.maps || a.aovs != b.aovs;
 }
 
 }  // namespace

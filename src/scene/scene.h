@@ -53,6 +53,9 @@ struct Material {
     AlphaMode alpha_mode = AlphaMode::opaque;
     bool double_sided = false;
     bool unlit = false;
+    /// KHR_materials_pbrSpecularGlossiness: the alpha of specular_color_texture multiplies
+    /// 1 - roughness, and no texture does roughness.
+    bool has_glossiness = false;
     std::optional<std::uint32_t> source;  ///< index in the file; none: the default material
 
     [[nodiscard]] const std::optional<Texture>& texture(tables::TextureSlot slot) const {

@@ -31,8 +31,10 @@ void add_key_light(const World& world, const Vec3& v, AovSurface& surface) {
     surface.n_dot_h = std::clamp(math::dot(surface.normal, h), 0.0F, 1.0F);
     surface.v_dot_h = std::clamp(math::dot(v, h), 0.0F, 1.0F);
     Lobes terms = world.model.lights;
-    const auto s = terms.brdf_surface(surface.albedo, surface.metallic,
-                                      std::max(surface.roughness, roughness_min));
+    auto s = terms.brdf_surface(surface.albedo, surface.metallic,
+                                std::max(surface.roughness, roughness_min));
+    s.dielectric_f0 = surface.dielectric_f0;
+    s.specular = surface.specular;
     const auto view =
         terms.brdf_view(s, surface.n_dot_v, world.model.albedo(surface.n_dot_v, s.roughness));
     surface.brdf = terms.brdf_terms(view, surface.n_dot_l, surface.n_dot_h, surface.v_dot_h);
@@ -56,6 +58,8 @@ bool first_surface(const World& world, Ray ray, const Cone& cone, const Vec3& fo
                .normal = s.normal,
                .metallic = s.metallic,
                .roughness = s.roughness,
+               .dielectric_f0 = s.dielectric_f0,
+               .specular = s.specular,
                .ao = s.ao,
                .emissive = s.emissive_nit,
                .position_m = s.position_m,

@@ -18,6 +18,8 @@ struct AovSurface {
     math::Vec3 normal{0.0F};
     float metallic = 0.0F;
     float roughness = 0.0F;
+    math::Vec3 dielectric_f0{0.0F};
+    float specular = 1.0F;
     float ao = 0.0F;
     math::Vec3 emissive{0.0F};
     math::Vec3 position_m{0.0F};

@@ -64,9 +64,10 @@ Bsdf::Bsdf(const Model& model, const Surface& surface, const Vec3& to_eye, Draws
     Lobes terms = model.environment;
     x_ = brdf::LightTerms<float>{}.across(n_);
     y_ = math::cross(n_, x_);
-    view_ =
-        terms.brdf_view(terms.brdf_surface(surface.base_color, surface.metallic, surface.roughness),
-                        n_dot_v, model.albedo(n_dot_v, surface.roughness));
+    auto numbers = terms.brdf_surface(surface.base_color, surface.metallic, surface.roughness);
+    numbers.dielectric_f0 = surface.dielectric_f0;
+    numbers.specular = surface.specular;
+    view_ = terms.brdf_view(numbers, n_dot_v, model.albedo(n_dot_v, surface.roughness));
     sampler_ = terms.brdf_sampler(view_, {math::dot(x_, to_eye_), math::dot(y_, to_eye_), n_dot_v});
     if (draws == Draws::specular) sampler_.specular = 1.0F;
     is_mirror_ = view_.surface.alpha < mirror_alpha_max;

@@ -9,8 +9,6 @@
 
 namespace facet::trace {
 
-using Lobes = brdf::Terms<float>;
-
 /// As in lib/shading_bounds.glsl: below this cosine the surface is seen edge on.
 inline constexpr float n_dot_v_min = 1e-3F;
 

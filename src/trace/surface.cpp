@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "trace/surface.h"
 
+#include "scene/dielectric.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -120,6 +122,20 @@ Vec3 position_m(const scene::Instance& instance, const scene::Mesh& mesh, const 
     return Vec3(instance.world_from_object * Vec4(corners.mix(mesh.positions_m), 1.0F));
 }
 
+/// After the roughness, which the texture of a glossiness changes.
+void fill_specular(const Point& point, Surface& s) {
+    s.dielectric_f0 = scene::dielectric_f0(point.material.values);
+    s.specular = point.material.values.specular;
+    if (point.has(TextureSlot::specular_color_texture)) {
+        const Vec4 tint = point(TextureSlot::specular_color_texture);
+        s.dielectric_f0 *= Vec3(tint);
+        if (point.material.has_glossiness) s.roughness = 1.0F - (1.0F - s.roughness) * tint.w;
+    }
+    s.dielectric_f0 = glm::min(s.dielectric_f0, Vec3(1.0F));
+    if (point.has(TextureSlot::specular_texture))
+        s.specular *= point(TextureSlot::specular_texture).w;
+}
+
 void fill_material(const Point& point, Surface& s) {
     const scene::Material& material = point.material;
     const tables::MaterialValues& v = material.values;
@@ -134,6 +150,7 @@ void fill_material(const Point& point, Surface& s) {
         s.metallic *= orm.z;
         s.roughness *= orm.y;
     }
+    if (scene::has_specular(material)) fill_specular(point, s);
     if (point.has(TextureSlot::occlusion_texture))
         s.ao = 1.0F + (point(TextureSlot::occlusion_texture).x - 1.0F) * v.ao_strength;
     s.emissive_nit = emission(point);
@@ -220,6 +237,8 @@ Surface seen_surface(const scene::Scene& scene, const std::vector<InstanceFrame>
     s.base_color = pixel.base_color;
     s.metallic = pixel.metallic;
     s.roughness = pixel.roughness;
+    s.dielectric_f0 = pixel.dielectric_f0;
+    s.specular = pixel.specular;
     const float length = math::length(normal);
     set_sides(s, normal / std::max(length, 1e-30F), from_eye.direction, frames[pixel.instance]);
     return s;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "brdf/terms.h"
 #include "scene/scene.h"
 #include "trace/geometry.h"
 #include "trace/textures.h"
@@ -9,6 +10,8 @@
 #include <vector>
 
 namespace facet::trace {
+
+using Lobes = brdf::Terms<float>;
 
 /// The numbers that the G-buffer holds, at one point. World space.
 struct Surface {
@@ -21,7 +24,9 @@ struct Surface {
     float opacity = 1.0F;
     float metallic = 0.0F;
     float roughness = 1.0F;  ///< perceptual
-    float ao = 1.0F;         ///< of the occlusion map; for AOVs, as rays find what is occluded
+    math::Vec3 dielectric_f0{Lobes::DIELECTRIC_F0};
+    float specular = 1.0F;  ///< strength of the dielectric's reflection
+    float ao = 1.0F;        ///< of the occlusion map; for AOVs, as rays find what is occluded
     math::Vec3 emissive_nit{0.0F};
     bool front = true;
     bool unlit = false;
@@ -52,6 +57,8 @@ struct SeenPixel {
     math::Vec3 base_color{0.0F};
     float metallic = 0.0F;
     float roughness = 1.0F;
+    math::Vec3 dielectric_f0{Lobes::DIELECTRIC_F0};
+    float specular = 1.0F;
 };
 /// The surface of such a pixel where a ray from the eye meets its triangle's plane; edges are
 /// drawn a little beyond it.

@@ -29,7 +29,7 @@ Lobe::real4 exact_albedo(const BrdfChoice& choice, double n_dot_v, double roughn
 Lobe::BrdfView view_of(Lobe& lobe, Color base, double metallic, double roughness, double f0,
                        double n_dot_v) {
     Lobe::BrdfSurface surface = lobe.brdf_surface(base, metallic, roughness);
-    surface.dielectric_f0 = f0;
+    surface.dielectric_f0 = Color(f0);
     return lobe.brdf_view(surface, n_dot_v, exact_albedo(lobe.choice, n_dot_v, roughness));
 }
 
@@ -49,7 +49,7 @@ TEST(ModelTables, CookTorranceEqualsTheTableForEveryModel) {
         const PairOfDirections at(row["n_dot_v"], row["n_dot_l"], row["phi"]);
         Lobe::BrdfSurface surface =
             lobe.brdf_surface(Color(1.0), row["metallic"], row["roughness"]);
-        surface.dielectric_f0 = row["f0"];
+        surface.dielectric_f0 = Color(double(row["f0"]));
         const auto view = lobe.brdf_view(surface, at.n_dot_v, Lobe::real4(1.0));
         const auto value = lobe.brdf_light(view, at.n_dot_l, at.n_dot_h, at.v_dot_h, 1.0);
         // n.h is rebuilt from the angles, which costs digits in D where the lobe is narrow;
@@ -196,6 +196,25 @@ TEST(ModelLaws, TheTermsShownAreWhatALightsValueIsMadeOf) {
                 EXPECT_GE(terms.f[c], 0.05 * (1.0 - metallic) + base[c] * metallic);
             }
         }
+}
+
+// Whatever a dielectric reflects, the diffuse lobe gets the rest: a white one loses nothing.
+TEST(ModelLaws, AWhiteDielectricOfAnyIndexAndStrengthLosesNothing) {
+    Lobe lobe;
+    for (const double f0 : {0.0, 0.02, 0.17, 0.6, 1.0})
+        for (const double specular : {0.0, 0.4, 1.0})
+            for (const double roughness : {0.1, 0.6, 1.0})
+                for (const double n_dot_v : {0.1, 0.5, 1.0}) {
+                    auto surface = lobe.brdf_surface(Color(1.0), 0.0, roughness);
+                    surface.dielectric_f0 = Color(f0);
+                    surface.specular = specular;
+                    const auto view = lobe.brdf_view(surface, n_dot_v,
+                                                     exact_albedo(lobe.choice, n_dot_v, roughness));
+                    const auto weight = lobe.brdf_environment(view);
+                    EXPECT_NEAR(weight.diffuse.x + weight.specular.x, 1.0, 1e-9)
+                        << f0 << ' ' << specular << ' ' << roughness;
+                    EXPECT_NEAR(view.k_d + weight.specular.x + view.added.x, 1.0, 1e-9);
+                }
 }
 
 TEST(ModelLaws, IsReciprocalWhereItClaimsToBe) {

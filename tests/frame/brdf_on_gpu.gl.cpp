@@ -160,7 +160,7 @@ TEST(BrdfOnGpu, DiffuseLobesEqualTheTable) {
 
 const std::string light_statements =
     "BrdfSurface s = brdf_surface(vec3(1.0), q.y, q.x);\n"
-    "s.dielectric_f0 = q.z;\n"
+    "s.dielectric_f0 = vec3(q.z);\n"
     "vec4 albedo = textureLod(albedo_table, albedo_coordinates(p.x, q.x), 0.0);\n"
     "BrdfValue f = brdf_light(brdf_view(s, p.x, albedo), p.y, p.z, p.w, 1.0);\n"
     "result = vec4(f.specular + f.diffuse, 0.0);\n";

@@ -1,5 +1,7 @@
 // The glTF importer on sound files: materials, textures and their extensions.
 // SPDX-License-Identifier: MIT
+#include "scene/dielectric.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -150,7 +152,7 @@ TEST(GltfMaterials, offset_comes_after_rotation_after_scale) {
     EXPECT_NEAR(seen.y, -1.75F, 1e-5);
 }
 
-TEST(GltfMaterials, specular_glossiness_of_a_dielectric_and_of_a_metal_keep_their_colors) {
+TEST(GltfMaterials, specular_glossiness_is_a_dielectric_of_that_f0) {
     Document d = triangle();
     d.json["extensionsUsed"] = {"KHR_materials_pbrSpecularGlossiness"};
     const auto material = [](const Json& diffuse, const Json& specular) {
@@ -164,13 +166,34 @@ TEST(GltfMaterials, specular_glossiness_of_a_dielectric_and_of_a_metal_keep_thei
                            material({0, 0, 0, 1}, {1, 0.77, 0.34})};
     primitive(d)["material"] = 0;
     const scene::Loaded loaded = loaded_or_fail(d);
-    const tables::MaterialValues& plastic = loaded.scene.materials[0].values;
-    EXPECT_NEAR(plastic.metallic, 0, 1e-3);
-    EXPECT_NEAR(plastic.base_color.x, 0.8F, 1e-2);
-    EXPECT_NEAR(plastic.roughness, 0.25F, 1e-6);
-    const tables::MaterialValues& gold = loaded.scene.materials[1].values;
-    EXPECT_NEAR(gold.metallic, 1, 0.05);
-    EXPECT_NEAR(gold.base_color.z, 0.34F, 0.05);
+    for (const scene::Material& m : loaded.scene.materials) {
+        EXPECT_EQ(m.values.metallic, 0);
+        EXPECT_NEAR(m.values.roughness, 0.25F, 1e-6);
+        EXPECT_TRUE(m.has_glossiness);
+    }
+    EXPECT_EQ(loaded.scene.materials[0].values.base_color, Vec3(0.8F, 0.1F, 0.1F));
+    EXPECT_EQ(scene::dielectric_f0(loaded.scene.materials[0].values), Vec3(0.04F));
+    EXPECT_EQ(scene::dielectric_f0(loaded.scene.materials[1].values), Vec3(1, 0.77F, 0.34F));
+    EXPECT_TRUE(loaded.warnings.empty());
+}
+
+TEST(GltfMaterials, factors_of_extensions_are_read_by_their_rows) {
+    Document d = triangle();
+    d.json["extensionsUsed"] = {"KHR_materials_ior", "KHR_materials_specular"};
+    d.json["materials"] = {
+        {{"extensions",
+          {{"KHR_materials_ior", {{"ior", 1.33}}},
+           {"KHR_materials_specular",
+            {{"specularFactor", 2.0}, {"specularColorFactor", {0.5, 1, 30}}}}}}}};
+    primitive(d)["material"] = 0;
+    const scene::Loaded loaded = loaded_or_fail(d);
+    const tables::MaterialValues& v = loaded.scene.materials[0].values;
+    EXPECT_EQ(v.ior, 1.33F);
+    EXPECT_EQ(v.specular, 1.0F);  // held within its range
+    EXPECT_FALSE(loaded.warnings.empty());
+    EXPECT_EQ(v.specular_color, Vec3(0.5F, 1, 30));
+    const float f0 = 0.33F / 2.33F * 0.33F / 2.33F;
+    EXPECT_NEAR(scene::dielectric_f0(v).z, 30 * f0, 1e-5);
 }
 
 TEST(GltfMaterials, a_normal_map_makes_tangents_and_none_makes_none) {

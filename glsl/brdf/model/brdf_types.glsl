@@ -5,7 +5,8 @@ struct BrdfSurface {
     real metallic;      // [0, 1]
     real roughness;     // [0, 1] perceptual
     real alpha;         // (0, 1] width of the distribution
-    real dielectric_f0; // [0, 1] reflectance at normal incidence of what is no metal
+    real3 dielectric_f0; // [0, 1] reflectance at normal incidence of what is no metal
+    real specular;      // [0, 1] strength of its reflection, at every angle (KHR_materials_specular)
     real3 edge_tint;    // [0, 1] F82's tint at 82 degrees; 1 is Schlick
 };
 // One lobe a member, 1/sr per light; weights of irradiance/pi and prefiltered radiance for the environment.
@@ -45,7 +46,8 @@ BrdfSurface brdf_surface(real3 base_color, real metallic, real roughness) {
     s.metallic = metallic;
     s.roughness = roughness;
     s.alpha = slot_width(roughness);
-    s.dielectric_f0 = DIELECTRIC_F0;
+    s.dielectric_f0 = real3(DIELECTRIC_F0);
+    s.specular = real(1.0);
     s.edge_tint = real3(real(1.0));
     return s;
 }

@@ -1,28 +1,31 @@
 // The default model: a dielectric and a metal lobe, each with its energy restored, mixed by metallic; the diffuse lobe
 // gets what the dielectric lobe leaves. A white furnace sees 1 for a white base at every metallic and roughness.
-//   f = (1 - m) (f_dielectric + (1 - E_dielectric(v)) f_diffuse) + m f_metal
-//        glTF 2.0, Appendix B.2 (the mix); Turquin 2019 (compensation); Kelemen & Szirmay-Kalos 2001 (1 - E(v))
+//   f = (1 - m) (s f_dielectric + (1 - s E_dielectric(v)) f_diffuse) + m f_metal
+//        glTF 2.0, Appendix B.2 (the mix); Turquin 2019 (compensation); Kelemen & Szirmay-Kalos 2001 (1 - E(v));
+//        KHR_materials_specular (s, and a tinted F0: the diffuse lobe gets what its strongest channel leaves)
 // F0 is not mixed first: that loses energy between dielectric and metal.
 
 BrdfView conserving_view(BrdfView view) {
-    real3 f0_d = real3(view.surface.dielectric_f0);
+    real3 f0_d = view.surface.dielectric_f0;
     real3 f0_m = view.surface.base_color;
     real metal = view.surface.metallic;
     real dielectric = real(1.0) - metal;
+    real specular = view.surface.specular;
     real e_v = view.a + view.b;
     real3 factor_d = slot_multiscatter(f0_d, e_v);
     real3 added_d = slot_added(f0_d, view.a, view.b, view.e_average);
     real3 albedo_d = (f0_d * view.a + real3(view.b)) * factor_d + added_d;
-    view.k_d = dielectric * max(real(1.0) - albedo_d.x, real(0.0));
-    view.dielectric_weight = factor_d * dielectric;
+    real reflected = specular * max(albedo_d.x, max(albedo_d.y, albedo_d.z));
+    view.k_d = dielectric * max(real(1.0) - reflected, real(0.0));
+    view.dielectric_weight = factor_d * (dielectric * specular);
     view.metal_weight = slot_multiscatter(f0_m, e_v) * metal;
-    view.added = added_d * dielectric + slot_added(f0_m, view.a, view.b, view.e_average) * metal;
+    view.added = added_d * (dielectric * specular) + slot_added(f0_m, view.a, view.b, view.e_average) * metal;
     return view;
 }
 
 // returns  factor on D V: Fresnel reflectance of both lobes, weighted
 real3 conserving_specular_share(BrdfView view, real v_dot_h) {
-    real3 f_d = slot_fresnel(real3(view.surface.dielectric_f0), real3(real(1.0)), v_dot_h);
+    real3 f_d = slot_fresnel(view.surface.dielectric_f0, real3(real(1.0)), v_dot_h);
     real3 f_m = slot_fresnel(view.surface.base_color, view.surface.edge_tint, v_dot_h);
     return f_d * view.dielectric_weight + f_m * view.metal_weight;
 }
@@ -39,7 +42,7 @@ BrdfValue conserving_light(BrdfView view, real d_v, real3 diffuse, real v_dot_h,
 
 // The added lobe is as wide as a diffuse one, so it takes the diffuse light (Fdez-Aguera 2019, Eq. 18).
 BrdfValue conserving_environment(BrdfView view) {
-    real3 f0_d = real3(view.surface.dielectric_f0);
+    real3 f0_d = view.surface.dielectric_f0;
     BrdfValue weight;
     weight.diffuse = view.diffuse_albedo * view.k_d + view.added;
     weight.specular = (f0_d * view.a + real3(view.b)) * view.dielectric_weight +

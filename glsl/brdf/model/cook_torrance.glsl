@@ -1,9 +1,9 @@
 // The lecture's model: one specular lobe with F0 mixed first, and no compensation.
-//   f = k_d f_diffuse + D V F, F0 = mix(F0_dielectric, base, m), k_d = (1 - F)(1 - m)      Cook & Torrance 1982
+//   f = k_d f_diffuse + D V F, F0 = mix(s F0_dielectric, base, m), k_d = (1 - F)(1 - m)      Cook & Torrance 1982
 // k_s is F, which D V F holds already. A white furnace shows what this loses, and at grazing angles gains.
 
 real3 cook_torrance_f0(BrdfView view) {
-    return real3(view.surface.dielectric_f0) * (real(1.0) - view.surface.metallic) +
+    return view.surface.dielectric_f0 * (view.surface.specular * (real(1.0) - view.surface.metallic)) +
            view.surface.base_color * view.surface.metallic;
 }
 

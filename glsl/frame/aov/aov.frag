@@ -16,6 +16,9 @@ uniform sampler2D gbuffer_metal_rough_ao;
 uniform sampler2D gbuffer_depth;
 uniform sampler2D gbuffer_emissive;
 uniform usampler2D gbuffer_ids;
+#if FACET_SPECULAR
+uniform sampler2D gbuffer_specular;
+#endif
 
 layout(location = 0) out vec4 out_value;
 
@@ -52,6 +55,11 @@ void add_key_light(inout AovSurface surface) {
     surface.n_dot_h = clamp(dot(surface.normal, h), 0.0, 1.0);
     surface.v_dot_h = clamp(dot(v, h), 0.0, 1.0);
     BrdfSurface s = brdf_surface(surface.albedo, surface.metallic, max(surface.roughness, ROUGHNESS_MIN));
+#if FACET_SPECULAR
+    vec4 specular = texelFetch(gbuffer_specular, ivec2(gl_FragCoord.xy), 0);
+    s.dielectric_f0 = specular.rgb;
+    s.specular = specular.a;
+#endif
     vec4 albedo = textureLod(albedo_table, albedo_coordinates(surface.n_dot_v, s.roughness), 0.0);
     BrdfView seen = brdf_view(s, surface.n_dot_v, albedo);
     surface.brdf = brdf_terms(seen, surface.n_dot_l, surface.n_dot_h, surface.v_dot_h);

@@ -26,6 +26,10 @@ void main() {
     p.metallic = s.metallic;
     p.roughness = s.roughness;
     p.ao = s.ao;
+#if FACET_SPECULAR
+    p.dielectric_f0 = s.dielectric_f0;
+    p.specular = s.specular;
+#endif
 #ifdef FACET_EXPLAIN
     explain_begin(EXPLAIN_BLEND, draw.ids.w, uint(gl_PrimitiveID));
     explain_surface(s);

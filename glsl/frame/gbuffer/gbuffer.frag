@@ -13,6 +13,9 @@ layout(location = 2) out vec4 out_metal_rough_ao; // RGBA8: metallic, roughness,
 #if FACET_EMISSIVE_TARGET
 layout(location = 3) out vec4 out_emissive_nit;   // RGBA32F
 #endif
+#if FACET_SPECULAR_TARGET
+layout(location = FACET_SPECULAR_LOCATION) out vec4 out_specular;  // RGBA16: F0 of dielectrics; a: strength
+#endif
 #if FACET_ID_TARGET
 layout(location = FACET_ID_LOCATION) out uvec2 out_ids;  // RG32UI: object, material; 0 is the background
 #endif
@@ -35,6 +38,13 @@ void main() {
     out_metal_rough_ao = vec4(s.metallic, s.roughness, s.ao, 1.0);
 #if FACET_EMISSIVE_TARGET
     out_emissive_nit = vec4(s.emissive_nit, 1.0);
+#endif
+#if FACET_SPECULAR_TARGET
+#if FACET_SPECULAR
+    out_specular = vec4(s.dielectric_f0, s.specular);
+#else
+    out_specular = vec4(0.04, 0.04, 0.04, 1.0);
+#endif
 #endif
 #if FACET_ID_TARGET
     out_ids = draw.ids.xy;

@@ -15,6 +15,9 @@ uniform sampler2D gbuffer_depth;
 #if FACET_EMISSIVE_TARGET
 uniform sampler2D gbuffer_emissive;
 #endif
+#if FACET_SPECULAR
+uniform sampler2D gbuffer_specular;
+#endif
 
 #if FACET_LIGHT_PATHS
 FACET_PATH_OUTPUTS
@@ -36,6 +39,11 @@ void main() {
     p.metallic = metal_rough_ao.r;
     p.roughness = metal_rough_ao.g;
     p.ao = metal_rough_ao.b;
+#if FACET_SPECULAR
+    vec4 specular = texelFetch(gbuffer_specular, pixel, 0);
+    p.dielectric_f0 = specular.rgb;
+    p.specular = specular.a;
+#endif
 #ifdef FACET_EXPLAIN
     // Drawn at the far plane: what is no surface is tested away only after it has run.
     if (depth < 1.0) explain_begin(EXPLAIN_LIGHTING, 0u, 0u);

@@ -39,6 +39,10 @@ struct ShadePoint {
     float metallic;
     float roughness;
     float ao;
+#if FACET_SPECULAR
+    vec3 dielectric_f0;
+    float specular;
+#endif
 };
 
 // A tile is this many pixels wide and high; frame/lighting/light_lists.h has the same number.
@@ -183,6 +187,10 @@ uint next_light(uint index, uint end, vec3 position_m) {
 vec3 shade(ShadePoint p) {
     float n_dot_v = clamp(dot(p.normal, p.to_eye), N_DOT_V_MIN, 1.0);
     BrdfSurface surface = brdf_surface(p.base_color, p.metallic, max(p.roughness, ROUGHNESS_MIN));
+#if FACET_SPECULAR
+    surface.dielectric_f0 = p.dielectric_f0;
+    surface.specular = p.specular;
+#endif
     vec4 albedo = textureLod(albedo_table, albedo_coordinates(n_dot_v, surface.roughness), 0.0);
     BrdfView brdf = brdf_view(surface, n_dot_v, albedo);
     float points_mirrored = p.roughness < MIRROR_ROUGHNESS ? 0.0 : 1.0;

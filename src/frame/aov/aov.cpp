@@ -18,7 +18,8 @@ enum Unit : GLuint {
     depth_unit,
     emissive_unit,
     ids_unit,
-    table_unit
+    table_unit,
+    specular_unit
 };
 
 void clear(const gl::Context& gl, const AovTarget& target) {
@@ -29,13 +30,14 @@ void clear(const gl::Context& gl, const AovTarget& target) {
 
 }  // namespace
 
-base::Result<gl::Program> AovPass::make(const gl::Context& gl, tables::Aov aov) const {
-    const tables::AovRow& row = tables::row(aov);
+base::Result<gl::Program> AovPass::make(const gl::Context& gl, const Key& key) const {
+    const tables::AovRow& row = tables::row(key.aov);
     auto program =
         gl::build_program(gl, *sources_,
                           {"frame/full_screen.vert", "frame/aov/aov.frag",
                            fmt::format("#define FACET_AOV {}\n", row.glsl) +
-                               define("KEY_LIGHT", row.kind == tables::AovKind::key_light)});
+                               define("KEY_LIGHT", row.kind == tables::AovKind::key_light) +
+                               define("SPECULAR", key.specular)});
     if (!program) return program;
     gl::bind_block(gl, *program, "ViewBlock", view_binding);
     gl::bind_sampler(gl, *program, "gbuffer_albedo", albedo_unit);
@@ -45,6 +47,7 @@ base::Result<gl::Program> AovPass::make(const gl::Context& gl, tables::Aov aov) 
     gl::bind_sampler(gl, *program, "gbuffer_emissive", emissive_unit);
     gl::bind_sampler(gl, *program, "gbuffer_ids", ids_unit);
     gl::bind_sampler(gl, *program, "albedo_table", table_unit);
+    gl::bind_sampler(gl, *program, "gbuffer_specular", specular_unit);
     return program;
 }
 
@@ -74,7 +77,8 @@ base::Status AovPass::run(const gl::Context& gl, const AovInputs& in, tables::Av
     for (const AovTarget& target : targets) {
         const tables::AovRow& row = tables::row(target.aov);
         if (row.average != average || row.kind == tables::AovKind::light_path) continue;
-        const auto program = programs_.get(target.aov, [&](tables::Aov a) { return make(gl, a); });
+        const auto program = programs_.get(Key{target.aov, gbuffer.spec.specular},
+                                           [&](const Key& key) { return make(gl, key); });
         if (!program) return tl::unexpected(program.error());
         gl::begin_draw(gl, target.framebuffer, gbuffer.spec.size, **program,
                        {.depth_func = GL_GREATER, .blend = gl::Blend::add});
@@ -86,6 +90,7 @@ base::Status AovPass::run(const gl::Context& gl, const AovInputs& in, tables::Av
         gl::bind_texture(gl, ids_unit, GL_TEXTURE_2D, gbuffer.ids, nullptr);
         gl::bind_texture(gl, table_unit, GL_TEXTURE_2D, in.environment.albedo_table,
                          &in.environment.table_sampler);
+        gl::bind_texture(gl, specular_unit, GL_TEXTURE_2D, gbuffer.specular, nullptr);
         gl::draw_full_screen(gl, in.empty);
     }
     return {};

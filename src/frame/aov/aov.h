@@ -37,10 +37,15 @@ public:
                                    tables::Average average, const std::vector<AovTarget>& targets);
 
 private:
-    [[nodiscard]] base::Result<gl::Program> make(const gl::Context& gl, tables::Aov aov) const;
+    struct Key {
+        tables::Aov aov;
+        bool specular = false;
+        auto operator<=>(const Key&) const = default;
+    };
+    [[nodiscard]] base::Result<gl::Program> make(const gl::Context& gl, const Key& key) const;
 
     const gl::ShaderSources* sources_;
-    Permutations<tables::Aov> programs_;
+    Permutations<Key> programs_;
 };
 
 /// Begins the sums anew, of the targets whose average is `average`.

@@ -22,7 +22,8 @@ base::Result<GBuffer> GBuffer::create(const gl::Context& gl, const GBufferSpec& 
          {Target{&out.albedo, GL_RGBA16, true}, Target{&out.normal, GL_RG16, true},
           Target{&out.metal_rough_ao, GL_RGBA8, true},
           Target{&out.emissive_nit, GL_RGBA32F, spec.emissive},
-          Target{&out.ids, GL_RG32UI, spec.ids}, Target{&out.triangles, GL_RG32UI, spec.triangles},
+          Target{&out.specular, GL_RGBA16, spec.specular}, Target{&out.ids, GL_RG32UI, spec.ids},
+          Target{&out.triangles, GL_RG32UI, spec.triangles},
           Target{&out.depth, GL_DEPTH_COMPONENT32F, true}}) {
         auto made = gl::make_texture(
             gl, {.format = target.format, .size = target.full ? spec.size : math::Extent{1, 1}});
@@ -31,6 +32,7 @@ base::Result<GBuffer> GBuffer::create(const gl::Context& gl, const GBufferSpec& 
     }
     std::vector<const gl::Texture*> colors = {&out.albedo, &out.normal, &out.metal_rough_ao};
     if (spec.emissive) colors.push_back(&out.emissive_nit);
+    if (spec.specular) colors.push_back(&out.specular);
     if (spec.ids) colors.push_back(&out.ids);
     if (spec.triangles) colors.push_back(&out.triangles);
     auto framebuffer = gl::make_framebuffer(gl, colors, &out.depth);
@@ -44,19 +46,22 @@ void clear(const gl::Context& gl, const GBuffer& gbuffer) {
     api.BindFramebuffer(GL_FRAMEBUFFER, gbuffer.framebuffer.name());
     constexpr std::array<GLfloat, 4> black{};
     constexpr std::array<GLuint, 4> nobody{};
-    for (GLint i = 0; i < gbuffer.ids_place(); ++i) api.ClearBufferfv(GL_COLOR, i, black.data());
-    if (gbuffer.spec.ids) api.ClearBufferuiv(GL_COLOR, gbuffer.ids_place(), nobody.data());
+    for (GLint i = 0; i < gbuffer.spec.ids_place(); ++i)
+        api.ClearBufferfv(GL_COLOR, i, black.data());
+    if (gbuffer.spec.ids) api.ClearBufferuiv(GL_COLOR, gbuffer.spec.ids_place(), nobody.data());
     if (gbuffer.spec.triangles)
-        api.ClearBufferuiv(GL_COLOR, gbuffer.triangles_place(), nobody.data());
+        api.ClearBufferuiv(GL_COLOR, gbuffer.spec.triangles_place(), nobody.data());
 }
 
 base::Result<gl::Program> GBufferPass::make(const gl::Context& gl, const Key& key) const {
+    const GBufferSpec spec{.emissive = key.emissive, .specular = key.specular, .ids = key.ids};
     const std::string text =
         defines(key.material) + define("BLEND", false) + define("EMISSIVE_TARGET", key.emissive) +
+        define("SPECULAR_TARGET", key.specular) +
+        fmt::format("#define FACET_SPECULAR_LOCATION {}\n", spec.specular_place()) +
         define("ID_TARGET", key.ids) + define("TRIANGLE_TARGET", key.triangles) +
-        fmt::format("#define FACET_ID_LOCATION {}\n", key.emissive ? 4 : 3) +
-        fmt::format("#define FACET_TRIANGLE_LOCATION {}\n",
-                    (key.emissive ? 4 : 3) + (key.ids ? 1 : 0));
+        fmt::format("#define FACET_ID_LOCATION {}\n", spec.ids_place()) +
+        fmt::format("#define FACET_TRIANGLE_LOCATION {}\n", spec.triangles_place());
     auto program = gl::build_program(
         gl, *sources_, {"frame/gbuffer/gbuffer.vert", "frame/gbuffer/gbuffer.frag", text});
     if (!program) return program;
@@ -79,7 +84,8 @@ base::Status GBufferPass::run(const gl::Context& gl, const GpuScene& scene,
     for (const std::size_t index : order) {
         const Draw& draw = scene.draws[index];
         if (draw.blended) continue;
-        const Key key{draw.key, out.spec.emissive, out.spec.ids, out.spec.triangles};
+        const Key key{draw.key, out.spec.emissive, out.spec.specular, out.spec.ids,
+                      out.spec.triangles};
         const auto program = programs_.get(key, [&](const Key& k) { return make(gl, k); });
         if (!program) return tl::unexpected(program.error());
         const gl::Pipeline pipeline{.depth_func = GL_LESS,

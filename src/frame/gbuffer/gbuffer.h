@@ -12,9 +12,15 @@ namespace facet::frame {
 struct GBufferSpec {
     math::Extent size;
     bool emissive = false;
+    bool specular = false;  ///< some material reflects as no plain dielectric does
     bool ids = false;
     bool triangles = false;  ///< for rays that begin at what is seen
     bool operator==(const GBufferSpec&) const = default;
+
+    /// Where a target stands among the framebuffer's.
+    [[nodiscard]] int specular_place() const { return emissive ? 4 : 3; }
+    [[nodiscard]] int ids_place() const { return specular_place() + (specular ? 1 : 0); }
+    [[nodiscard]] int triangles_place() const { return ids_place() + (ids ? 1 : 0); }
 };
 
 /// 20 bytes a pixel: RGBA16 albedo (a: unlit), RG16 octahedral normal, RGBA8 metallic, roughness,
@@ -26,14 +32,11 @@ struct GBuffer {
     gl::Texture normal;
     gl::Texture metal_rough_ao;
     gl::Texture emissive_nit;  ///< RGBA32F; 1x1 where not asked for
+    gl::Texture specular;      ///< RGBA16: F0 of dielectrics, strength; 1x1 where not asked for
     gl::Texture ids;           ///< RG32UI: object, material; 1x1 where not asked for
     gl::Texture triangles;     ///< RG32UI: draw, triangle; 1x1 where not asked for
     gl::Texture depth;
     gl::Framebuffer framebuffer;
-
-    /// Where a target stands among the framebuffer's.
-    [[nodiscard]] int ids_place() const { return spec.emissive ? 4 : 3; }
-    [[nodiscard]] int triangles_place() const { return ids_place() + (spec.ids ? 1 : 0); }
 
     [[nodiscard]] static base::Result<GBuffer> create(const gl::Context& gl,
                                                       const GBufferSpec& spec);
@@ -59,6 +62,7 @@ private:
     struct Key {
         MaterialKey material;
         bool emissive = false;
+        bool specular = false;
         bool ids = false;
         bool triangles = false;
         auto operator<=>(const Key&) const = default;

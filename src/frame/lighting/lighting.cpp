@@ -13,7 +13,7 @@ namespace {
 
 /// Units after those of a material's textures, so that blend can bind both.
 enum Unit : GLuint {
-    cube_unit = 5,
+    cube_unit = tables::material_textures.size(),  // blended surfaces have theirs before
     irradiance_unit,
     table_unit,
     lights_unit,
@@ -33,13 +33,22 @@ enum Unit : GLuint {
     sample_specular_unit
 };
 /// Units of the G-buffer, where the material's are otherwise.
-enum GBufferUnit : GLuint { albedo_unit = 0, normal_unit, metal_unit, depth_unit, emissive_unit };
+enum GBufferUnit : GLuint {
+    albedo_unit = 0,
+    normal_unit,
+    metal_unit,
+    depth_unit,
+    emissive_unit,
+    reflection_unit
+};
+static_assert(GLuint{reflection_unit} < GLuint{cube_unit});
 
 base::Result<gl::Program> make(const gl::Context& gl, const gl::ShaderSources& sources,
-                               const ShadeKey& shade, bool emissive) {
-    auto program = gl::build_program(gl, sources,
-                                     {"frame/full_screen.vert", "frame/lighting/lighting.frag",
-                                      defines(shade) + define("EMISSIVE_TARGET", emissive)});
+                               const ShadeKey& shade, bool emissive, bool specular) {
+    auto program = gl::build_program(
+        gl, sources,
+        {"frame/full_screen.vert", "frame/lighting/lighting.frag",
+         defines(shade) + define("EMISSIVE_TARGET", emissive) + define("SPECULAR", specular)});
     if (!program) return program;
     gl::bind_block(gl, *program, "ViewBlock", view_binding);
     gl::bind_sampler(gl, *program, "gbuffer_albedo", albedo_unit);
@@ -47,6 +56,7 @@ base::Result<gl::Program> make(const gl::Context& gl, const gl::ShaderSources& s
     gl::bind_sampler(gl, *program, "gbuffer_metal_rough_ao", metal_unit);
     gl::bind_sampler(gl, *program, "gbuffer_depth", depth_unit);
     gl::bind_sampler(gl, *program, "gbuffer_emissive", emissive_unit);
+    gl::bind_sampler(gl, *program, "gbuffer_specular", reflection_unit);
     set_shade_samplers(gl, *program);
     return program;
 }
@@ -184,9 +194,9 @@ void RadianceTarget::clear(const gl::Context& gl) const {
 
 base::Status LightingPass::run(const gl::Context& gl, const GBuffer& gbuffer, const ShadeInputs& in,
                                const gl::VertexArray& empty, const DrawTarget& out) {
-    const Key key{in.key, gbuffer.spec.emissive};
-    const auto program =
-        programs_.get(key, [&](const Key& k) { return make(gl, *sources_, k.shade, k.emissive); });
+    const Key key{in.key, gbuffer.spec.emissive, gbuffer.spec.specular};
+    const auto program = programs_.get(
+        key, [&](const Key& k) { return make(gl, *sources_, k.shade, k.emissive, k.specular); });
     if (!program) return tl::unexpected(program.error());
     gl.texture_barrier();
     gl::begin_draw(gl, out.framebuffer, out.size, **program, {.depth_func = GL_GREATER});
@@ -196,6 +206,8 @@ base::Status LightingPass::run(const gl::Context& gl, const GBuffer& gbuffer, co
     gl::bind_texture(gl, metal_unit, GL_TEXTURE_2D, gbuffer.metal_rough_ao, nullptr);
     gl::bind_texture(gl, depth_unit, GL_TEXTURE_2D, gbuffer.depth, nullptr);
     gl::bind_texture(gl, emissive_unit, GL_TEXTURE_2D, gbuffer.emissive_nit, nullptr);
+    if (gbuffer.spec.specular)
+        gl::bind_texture(gl, reflection_unit, GL_TEXTURE_2D, gbuffer.specular, nullptr);
     gl::draw_full_screen(gl, empty);
     return {};
 }

@@ -88,6 +88,7 @@ private:
     struct Key {
         ShadeKey shade;
         bool emissive = false;
+        bool specular = false;
         auto operator<=>(const Key&) const = default;
     };
     const gl::ShaderSources* sources_;

@@ -68,11 +68,14 @@ ReadSurfaces read_surfaces(const gl::Context& gl, const GBuffer& gbuffer, const 
             picture,
             view,
             read<float>(gl, gbuffer, 0, {GL_DEPTH_COMPONENT, GL_FLOAT}, 1),
-            read<std::uint32_t>(gl, gbuffer, gbuffer.triangles_place(),
+            read<std::uint32_t>(gl, gbuffer, gbuffer.spec.triangles_place(),
                                 {GL_RG_INTEGER, GL_UNSIGNED_INT}, 2),
             read<std::uint16_t>(gl, gbuffer, 0, {GL_RGBA, GL_UNSIGNED_SHORT}, 4),
             read<std::uint16_t>(gl, gbuffer, 1, {GL_RG, GL_UNSIGNED_SHORT}, 2),
-            read<std::uint8_t>(gl, gbuffer, 2, {GL_RGBA, GL_UNSIGNED_BYTE}, 4)};
+            read<std::uint8_t>(gl, gbuffer, 2, {GL_RGBA, GL_UNSIGNED_BYTE}, 4),
+            gbuffer.spec.specular ? read<std::uint16_t>(gl, gbuffer, gbuffer.spec.specular_place(),
+                                                        {GL_RGBA, GL_UNSIGNED_SHORT}, 4)
+                                  : std::vector<std::uint16_t>()};
 }
 
 RayTextures make_ray_textures(const gl::Context& gl) {

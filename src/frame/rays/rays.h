@@ -27,6 +27,7 @@ struct ReadSurfaces {
     std::vector<std::uint16_t> albedo;         ///< 4: as GBuffer::albedo
     std::vector<std::uint16_t> normal;         ///< 2
     std::vector<std::uint8_t> metal_rough_ao;  ///< 4
+    std::vector<std::uint16_t> specular;       ///< 4: as GBuffer::specular; empty without it
 };
 [[nodiscard]] ReadSurfaces read_surfaces(const gl::Context& gl, const GBuffer& gbuffer,
                                          const shared::View& view, math::Extent picture,

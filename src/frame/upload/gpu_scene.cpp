@@ -5,6 +5,7 @@
 #include "frame/shared.h"
 #include "frame/upload/upload_meshes.h"
 #include "frame/upload/upload_textures.h"
+#include "scene/dielectric.h"
 
 #include <algorithm>
 #include <cstring>
@@ -48,6 +49,7 @@ shared::Draw block_of(const scene::Instance& instance, const scene::Material& ma
         Vec4(v.base_color, material.alpha_mode == scene::AlphaMode::opaque ? 1.0F : v.opacity);
     block.metallic_roughness_normal_ao = {v.metallic, v.roughness, v.normal_scale, v.ao_strength};
     block.emissive_nit_cutoff = Vec4(v.emissive * v.emissive_strength, v.alpha_cutoff);
+    block.dielectric_f0_specular = Vec4(scene::dielectric_f0(v), v.specular);
     for (std::size_t slot = 0; slot < material.textures.size(); ++slot) {
         const scene::Texture texture = material.textures[slot].value_or(scene::Texture{});
         const Mat3 rows = math::transpose(texture.uv_from_uv);
@@ -86,6 +88,7 @@ public:
                                                static_cast<std::uint32_t>(out_.draws.size())));
         out_.emits = out_.emits || (!draw.blended && material.values.emissive != Vec3(0.0F) &&
                                     material.values.emissive_strength > 0.0F);
+        out_.has_specular = out_.has_specular || (!draw.blended && draw.key.specular);
         out_.draws.push_back(draw);
     }
 
@@ -161,6 +164,7 @@ base::Status update_scene(const gl::Context& gl, const scene::Scene& scene, Filt
     if (auto uploaded = upload_textures(gl, scene, pool, out); !uploaded) return uploaded;
     out.draws.clear();
     out.emits = false;
+    out.has_specular = false;
     out.bounds_m = scene.bounds_m();
     Uploader uploader(gl, scene, filtering, out);
     for (std::uint32_t i = 0; i < scene.instances.size(); ++i) uploader.add_draw(i);

@@ -58,8 +58,9 @@ struct GpuScene {
     std::map<TextureUse, gl::Texture> textures;
     std::map<gl::SamplerSpec, gl::Sampler> samplers;
     std::vector<Draw> draws;
-    math::Bounds bounds_m;  ///< of the whole scene
-    bool emits = false;     ///< some opaque material has emission
+    math::Bounds bounds_m;      ///< of the whole scene
+    bool emits = false;         ///< some opaque material has emission
+    bool has_specular = false;  ///< and some reflects as no plain dielectric does
 };
 
 /// How textures are filtered.

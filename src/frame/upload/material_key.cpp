@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "frame/upload/material_key.h"
 
+#include "scene/dielectric.h"
+
 #include <spdlog/fmt/fmt.h>
 
 namespace facet::frame {
@@ -36,6 +38,10 @@ MaterialKey material_key(const scene::Scene& scene, const scene::Material& mater
     key.occlusion_packed = occlusion != nullptr && orm != nullptr && same_lookup(*orm, *occlusion);
     key.occlusion_texture = occlusion != nullptr && !key.occlusion_packed;
     key.emissive_texture = used(TextureSlot::emissive_texture) != nullptr;
+    key.specular = scene::has_specular(material);
+    key.specular_texture = used(TextureSlot::specular_texture) != nullptr;
+    key.specular_color_texture = used(TextureSlot::specular_color_texture) != nullptr;
+    key.glossiness = key.specular_color_texture && material.has_glossiness;
     key.vertex_color = !mesh.colors.empty();
     key.alpha_mask = material.alpha_mode == scene::AlphaMode::mask;
     for (const auto& texture : material.textures)
@@ -53,9 +59,11 @@ std::string defines(const MaterialKey& key) {
            define("METALLIC_ROUGHNESS_TEXTURE", key.metallic_roughness_texture) +
            define("NORMAL_MAP", key.normal_map) + define("OCCLUSION_PACKED", key.occlusion_packed) +
            define("OCCLUSION_TEXTURE", key.occlusion_texture) +
-           define("EMISSIVE_TEXTURE", key.emissive_texture) +
-           define("VERTEX_COLOR", key.vertex_color) + define("UV_GENERAL", key.uv_general) +
-           define("ALPHA_MASK", key.alpha_mask);
+           define("EMISSIVE_TEXTURE", key.emissive_texture) + define("SPECULAR", key.specular) +
+           define("SPECULAR_TEXTURE", key.specular_texture) +
+           define("SPECULAR_COLOR_TEXTURE", key.specular_color_texture) +
+           define("GLOSSINESS", key.glossiness) + define("VERTEX_COLOR", key.vertex_color) +
+           define("UV_GENERAL", key.uv_general) + define("ALPHA_MASK", key.alpha_mask);
 }
 
 }  // namespace facet::frame

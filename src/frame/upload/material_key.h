@@ -17,6 +17,10 @@ struct MaterialKey {
     bool occlusion_packed = false;   ///< in the red of metallic_roughness_texture
     bool occlusion_texture = false;  ///< a texture of its own
     bool emissive_texture = false;
+    bool specular = false;  ///< reflects as no plain dielectric does
+    bool specular_texture = false;
+    bool specular_color_texture = false;
+    bool glossiness = false;  ///< in the alpha of specular_color_texture
     bool vertex_color = false;
     bool uv_general = false;  ///< a UV transform, or the second set
     bool alpha_mask = false;

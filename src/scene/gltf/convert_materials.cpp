@@ -136,28 +136,45 @@ void convert_factors(Import& import, const tinygltf::Material& from, const std::
     values.emissive = color_in_range(import, where, "emissive", from.emissiveFactor);
 }
 
-void convert_extensions(Import& import, const Json& extensions, const std::string& where,
+/// The numbers at an extension's pointers; a row's initial value stands for what is not there.
+void convert_extension_factors(Import& import, const Json& material, const std::string& where,
+                               tables::MaterialValues& to) {
+    for (const tables::MaterialParam& param : tables::material_params) {
+        if (!param.gltf.starts_with("/extensions/")) continue;
+        const Json* const value = find_path(material, param.gltf.substr(1));
+        if (value == nullptr) continue;
+        if (const auto* number = std::get_if<float tables::MaterialValues::*>(&param.field)) {
+            if (value->is_number())
+                to.** number = in_range(import, where, param.key, value->get<double>());
+            continue;
+        }
+        if (!value->is_array() || value->size() != 3) continue;
+        math::Vec3& color = to.*std::get<tables::Color tables::MaterialValues::*>(param.field);
+        for (int i = 0; i < 3; ++i)
+            if (const Json& x = (*value)[static_cast<std::size_t>(i)]; x.is_number())
+                color[i] = in_range(import, where, param.key, x.get<double>());
+    }
+}
+
+/// What the extension has in the place of the core's workflow and of other extensions'.
+void convert_glossiness(Import& import, const Json& material, const std::string& where,
                         Material& to) {
-    if (const Json* const strength = find(extensions, "KHR_materials_emissive_strength"))
-        to.values.emissive_strength =
-            in_range(import, where, "emissive_strength",
-                     number_at(*strength, "emissiveStrength").value_or(1.0));
-    to.unlit = find(extensions, "KHR_materials_unlit") != nullptr;
-    const Json* const glossiness = find(extensions, "KHR_materials_pbrSpecularGlossiness");
-    if (glossiness == nullptr) return;
-    import.warn(where + "/extensions/KHR_materials_pbrSpecularGlossiness",
-                "specular-glossiness is converted to metallic-roughness, which is not exact");
-    apply_specular_glossiness(*glossiness, to.values);
-    const std::string at = where + "/extensions/KHR_materials_pbrSpecularGlossiness";
-    auto& base = to.textures[static_cast<std::size_t>(TextureSlot::base_color_texture)];
-    auto& rough = to.textures[static_cast<std::size_t>(TextureSlot::metallic_roughness_texture)];
-    base = std::nullopt;
-    rough = std::nullopt;
-    if (const Json* const diffuse = find(*glossiness, "diffuseTexture"))
-        base = convert_texture(import, *diffuse, at + "/diffuseTexture");
-    if (find(*glossiness, "specularGlossinessTexture") != nullptr)
-        import.warn(at + "/specularGlossinessTexture",
-                    "texture is ignored: only its factors are converted");
+    const Json* const extension =
+        find_path(material, "extensions/KHR_materials_pbrSpecularGlossiness");
+    if (extension == nullptr) return;
+    apply_specular_glossiness(*extension, to.values);
+    to.has_glossiness = true;
+    for (const TextureSlot slot :
+         {TextureSlot::base_color_texture, TextureSlot::metallic_roughness_texture,
+          TextureSlot::specular_texture, TextureSlot::specular_color_texture}) {
+        auto& texture = to.textures[static_cast<std::size_t>(slot)];
+        texture.reset();
+        const std::string_view pointer =
+            glossiness_pointer(tables::material_textures[static_cast<std::size_t>(slot)].key);
+        if (pointer.empty()) continue;
+        if (const Json* const info = find_path(material, pointer.substr(1)))
+            texture = convert_texture(import, *info, where + std::string(pointer));
+    }
 }
 
 Material convert_material(Import& import, std::size_t index) {
@@ -168,9 +185,10 @@ Material convert_material(Import& import, std::size_t index) {
     to.name = from.name.empty() ? fmt::format("material {}", index) : from.name;
     convert_factors(import, from, where, to);
     convert_alpha(import, from, where, to);
+    convert_extension_factors(import, json, where, to.values);
     convert_textures(import, json, where, to);
-    if (const Json* const extensions = find(json, "extensions"))
-        convert_extensions(import, *extensions, where, to);
+    to.unlit = find_path(json, "extensions/KHR_materials_unlit") != nullptr;
+    convert_glossiness(import, json, where, to);
     return to;
 }
 

@@ -5,15 +5,15 @@
 #include "base/text.h"
 #include "image/read.h"
 #include "image/write.h"
+#include "scene/gltf/specular_glossiness.h"
 
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
 #include <map>
 
 namespace facet::scene::gltf {
 namespace {
-
-constexpr std::string_view glossiness = "KHR_materials_pbrSpecularGlossiness";
 
 /// One save. References outlive it.
 struct Saver {
@@ -50,25 +50,46 @@ OrderedJson* parent_of(OrderedJson& material, const std::vector<std::string_view
 /// A colour keeps what its array holds beyond three numbers: baseColorFactor has the opacity there.
 void put_color(OrderedJson& parent, const std::string& key, const math::Vec3& color) {
     OrderedJson& array = parent[key];
-    const bool has_alpha = key == "baseColorFactor";
+    const bool has_alpha = key == "baseColorFactor" || key == "diffuseFactor";
     if (!array.is_array() || array.size() < 3)
         array = has_alpha ? OrderedJson::array({1.0, 1.0, 1.0, 1.0})
                           : OrderedJson::array({0.0, 0.0, 0.0});
     for (int c = 0; c < 3; ++c) array[static_cast<std::size_t>(c)] = shortest(color[c]);
 }
 
+/// Where a row of the tables stands in the file; empty, with a warning, where it cannot.
+template <class Row>
+std::string_view pointer_of(Saver& saver, std::size_t index, const Material& material,
+                            const Row& row) {
+    if (!material.has_glossiness) return row.gltf;
+    constexpr std::array replaced = {"/pbrMetallicRoughness/", "/extensions/KHR_materials_ior/",
+                                     "/extensions/KHR_materials_specular/"};
+    const bool is_replaced = std::ranges::any_of(
+        replaced, [&](const char* start) { return row.gltf.starts_with(start); });
+    if (!is_replaced) return row.gltf;
+    const std::string_view pointer = glossiness_pointer(row.key);
+    if (pointer.empty())
+        warn(saver, index, "",
+             fmt::format("{} is not saved: specular-glossiness has no place for it", row.key));
+    return pointer;
+}
+
 void save_param(Saver& saver, OrderedJson& json, std::size_t index,
-                const tables::MaterialParam& param, const tables::MaterialValues& values) {
-    const auto parts = base::split(param.gltf, '/');
+                const tables::MaterialParam& param, const Material& material) {
+    const std::string_view pointer = pointer_of(saver, index, material, param);
+    if (pointer.empty()) return;
+    const tables::MaterialValues& values = material.values;
+    const auto parts = base::split(pointer, '/');
     OrderedJson* const parent = parent_of(json, parts);
     if (parent == nullptr)
-        return warn(saver, index, param.gltf,
+        return warn(saver, index, pointer,
                     fmt::format("{} is not saved: it has no texture", param.key));
     const std::string last(parts.back());
     if (const auto* number = std::get_if<float tables::MaterialValues::*>(&param.field)) {
         const auto element = base::parse_integer(last);
         OrderedJson& to = element ? (*parent)[static_cast<std::size_t>(*element)] : (*parent)[last];
-        to = shortest(values.**number);
+        const bool is_turned = last == "glossinessFactor";
+        to = shortest(is_turned ? 1.0F - values.**number : values.**number);
     } else {
         put_color(*parent, last,
                   values.*std::get<tables::Color tables::MaterialValues::*>(param.field));
@@ -140,18 +161,23 @@ void drop_texture(OrderedJson& material, std::string_view pointer) {
     at->erase(std::string(parts.back()));
 }
 
-base::Status save_texture(Saver& saver, OrderedJson& json, std::size_t slot,
-                          const std::optional<Texture>& before,
-                          const std::optional<Texture>& after) {
-    const tables::MaterialTexture& row = tables::material_textures[slot];
+bool same(const std::optional<Texture>& a, const std::optional<Texture>& b) {
+    return a.has_value() == b.has_value() && (!a || a->image == b->image);
+}
+
+base::Status save_texture(Saver& saver, OrderedJson& json, std::size_t index, std::size_t slot,
+                          const Material& material) {
+    const std::string_view pointer =
+        pointer_of(saver, index, material, tables::material_textures[slot]);
+    if (pointer.empty()) return {};
+    const std::optional<Texture>& after = material.textures[slot];
     if (!after) {
-        if (before) drop_texture(json, row.gltf);
+        drop_texture(json, pointer);
         return {};
     }
-    if (before && before->image == after->image) return {};
     const auto picture = save_picture(saver, after->image);
     if (!picture) return tl::unexpected(picture.error());
-    OrderedJson& info = texture_info(json, row.gltf);
+    OrderedJson& info = texture_info(json, pointer);
     OrderedJson& textures = array_at(saver.document.json, "textures");
     OrderedJson texture = OrderedJson::object();
     const std::size_t old = info.value("index", textures.size());
@@ -160,27 +186,20 @@ base::Status save_texture(Saver& saver, OrderedJson& json, std::size_t slot,
     texture["source"] = *picture;
     textures.push_back(std::move(texture));
     info["index"] = textures.size() - 1;
+    const auto parts = base::split(pointer, '/');
+    if (parts[1] == "extensions") use_extension(saver.document.json, parts[2]);
     return {};
 }
 
 base::Status save_material(Saver& saver, std::size_t index, const Material& before,
                            const Material& after) {
     OrderedJson& json = saver.document.json["materials"][index];
-    if (json.contains("extensions") && json["extensions"].contains(glossiness)) {
-        json["extensions"].erase(std::string(glossiness));
-        warn(saver, index, "", "specular-glossiness became metallic-roughness, which is not exact");
-        // Its values were in the extension: all are new to the core's.
-        for (const tables::MaterialParam& param : tables::material_params)
-            if (param.gltf.starts_with("/pbrMetallicRoughness"))
-                save_param(saver, json, index, param, after.values);
+    for (std::size_t slot = 0; slot < after.textures.size(); ++slot) {
+        if (same(before.textures[slot], after.textures[slot])) continue;
+        if (auto s = save_texture(saver, json, index, slot, after); !s) return s;
     }
-    for (std::size_t slot = 0; slot < after.textures.size(); ++slot)
-        if (auto s = save_texture(saver, json, slot, before.textures[slot], after.textures[slot]);
-            !s)
-            return s;
     for (const tables::MaterialParam& param : tables::material_params)
-        if (!same(param, before.values, after.values))
-            save_param(saver, json, index, param, after.values);
+        if (!same(param, before.values, after.values)) save_param(saver, json, index, param, after);
     constexpr std::array modes = {"OPAQUE", "MASK", "BLEND"};
     if (before.alpha_mode != after.alpha_mode)
         json["alphaMode"] = modes[static_cast<std::size_t>(after.alpha_mode)];
@@ -191,10 +210,8 @@ base::Status save_material(Saver& saver, std::size_t index, const Material& befo
 bool differs(const Material& a, const Material& b) {
     for (const tables::MaterialParam& param : tables::material_params)
         if (!same(param, a.values, b.values)) return true;
-    for (std::size_t slot = 0; slot < a.textures.size(); ++slot) {
-        if (a.textures[slot].has_value() != b.textures[slot].has_value()) return true;
-        if (a.textures[slot] && !(a.textures[slot]->image == b.textures[slot]->image)) return true;
-    }
+    for (std::size_t slot = 0; slot < a.textures.size(); ++slot)
+        if (!same(a.textures[slot], b.textures[slot])) return true;
     return a.alpha_mode != b.alpha_mode || a.double_sided != b.double_sided;
 }
 
@@ -205,7 +222,7 @@ void save_default(Saver& saver, const Material& material) {
     materials.push_back({{"name", material.name}});
     for (const tables::MaterialParam& param : tables::material_params)
         if (!same(param, {}, material.values))
-            save_param(saver, materials[index], index, param, material.values);
+            save_param(saver, materials[index], index, param, material);
     for (OrderedJson& mesh : saver.document.json["meshes"])
         for (OrderedJson& primitive : mesh["primitives"])
             if (!primitive.contains("material")) primitive["material"] = index;

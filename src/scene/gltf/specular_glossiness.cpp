@@ -1,62 +1,50 @@
-// KHR_materials_pbrSpecularGlossiness as metallic-roughness.
+// KHR_materials_pbrSpecularGlossiness: the lecture's other workflow.
 // SPDX-License-Identifier: MIT
 #include "scene/gltf/specular_glossiness.h"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 
 namespace facet::scene::gltf {
 namespace {
 
-using math::Vec3;
-
-constexpr float dielectric_f0 = 0.04F;  // of an index of refraction of 1.5
-
-float component_at(const Json& object, const char* key, std::size_t index, float otherwise) {
+float component_at(const Json& object, const char* key, std::size_t index) {
     const Json* const value = element_at(object, key, index);
     return value != nullptr && value->is_number() ? std::clamp(value->get<float>(), 0.0F, 1.0F)
-                                                  : otherwise;
+                                                  : 1.0F;
 }
 
-/// Perceived brightness, Finley 2006, "HSP Color Model": sqrt(.299 R^2 + .587 G^2 + .114 B^2).
-float brightness_of(const Vec3& c) {
-    return std::sqrt(0.299F * c.x * c.x + 0.587F * c.y * c.y + 0.114F * c.z * c.z);
-}
-
-/// The metallic m of which lerp(0.04, base, m) has the brightness of the specular color, and base
-/// (1 - m) that of the diffuse one: a m^2 + b m + c = 0.
-float solve_metallic(float diffuse, float specular, float one_minus_strength) {
-    if (specular <= dielectric_f0) return 0.0F;
-    const float a = dielectric_f0;
-    const float b =
-        diffuse * one_minus_strength / (1.0F - dielectric_f0) + specular - 2.0F * dielectric_f0;
-    const float c = dielectric_f0 - specular;
-    const float d = std::max(b * b - 4.0F * a * c, 0.0F);
-    return std::clamp((-b + std::sqrt(d)) / (2.0F * a), 0.0F, 1.0F);
-}
+struct Place {
+    std::string_view key;
+    std::string_view pointer;
+};
+constexpr auto places = std::to_array<Place>(
+    {{"base_color", "/extensions/KHR_materials_pbrSpecularGlossiness/diffuseFactor"},
+     {"opacity", "/extensions/KHR_materials_pbrSpecularGlossiness/diffuseFactor/3"},
+     {"specular_color", "/extensions/KHR_materials_pbrSpecularGlossiness/specularFactor"},
+     {"roughness", "/extensions/KHR_materials_pbrSpecularGlossiness/glossinessFactor"},
+     {"base_color_texture", "/extensions/KHR_materials_pbrSpecularGlossiness/diffuseTexture"},
+     {"specular_color_texture",
+      "/extensions/KHR_materials_pbrSpecularGlossiness/specularGlossinessTexture"}});
 
 }  // namespace
 
 void apply_specular_glossiness(const Json& extension, tables::MaterialValues& values) {
-    Vec3 diffuse(1.0F);
-    Vec3 specular(1.0F);
-    for (int i = 0; i < 3; ++i) {
-        diffuse[i] = component_at(extension, "diffuseFactor", static_cast<std::size_t>(i), 1.0F);
-        specular[i] = component_at(extension, "specularFactor", static_cast<std::size_t>(i), 1.0F);
+    for (std::size_t i = 0; i < 3; ++i) {
+        values.base_color[static_cast<int>(i)] = component_at(extension, "diffuseFactor", i);
+        values.specular_color[static_cast<int>(i)] = component_at(extension, "specularFactor", i);
     }
-    const auto glossiness =
-        static_cast<float>(number_at(extension, "glossinessFactor").value_or(1.0));
-    const float one_minus_strength = 1.0F - std::max({specular.x, specular.y, specular.z});
-    const float m =
-        solve_metallic(brightness_of(diffuse), brightness_of(specular), one_minus_strength);
-    constexpr float smallest = 1e-6F;
-    const Vec3 from_diffuse =
-        diffuse * (one_minus_strength / (1.0F - dielectric_f0) / std::max(1.0F - m, smallest));
-    const Vec3 from_specular = (specular - dielectric_f0 * (1.0F - m)) / std::max(m, smallest);
-    values.base_color = glm::clamp(glm::mix(from_diffuse, from_specular, m * m), 0.0F, 1.0F);
-    values.opacity = component_at(extension, "diffuseFactor", 3, 1.0F);
-    values.metallic = m;
-    values.roughness = 1.0F - std::clamp(glossiness, 0.0F, 1.0F);
+    values.opacity = component_at(extension, "diffuseFactor", 3);
+    const double glossiness = number_at(extension, "glossinessFactor").value_or(1.0);
+    values.roughness = 1.0F - std::clamp(static_cast<float>(glossiness), 0.0F, 1.0F);
+    values.metallic = 0.0F;
+    values.ior = 0.0F;
+    values.specular = 1.0F;
+}
+
+std::string_view glossiness_pointer(std::string_view key) {
+    const auto* const found = std::ranges::find(places, key, &Place::key);
+    return found == places.end() ? std::string_view() : found->pointer;
 }
 
 }  // namespace facet::scene::gltf

@@ -1,4 +1,4 @@
-// KHR_materials_pbrSpecularGlossiness as metallic-roughness.
+// KHR_materials_pbrSpecularGlossiness: the lecture's other workflow.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -7,9 +7,13 @@
 
 namespace facet::scene::gltf {
 
-/// Sets base color, opacity, metallic and roughness from the extension's factors. Lossy where the
-/// specular color of a dielectric is tinted. Source: the conversion of the extension's own text
-/// (Khronos, KHR_materials_pbrSpecularGlossiness, "Appendix").
+/// Sets the values that reflect as the extension's factors say: a dielectric of that diffuse colour
+/// whose F0 is the specular colour (an index without end, tinted), roughness = 1 - glossiness.
+/// Source: Khronos, KHR_materials_pbrSpecularGlossiness; KHR_materials_ior ("ior 0").
 void apply_specular_glossiness(const Json& extension, tables::MaterialValues& values);
+
+/// Where a parameter or a texture of such a material stands in the file, as the rows' `gltf` have
+/// it for others; empty where the workflow has no such thing. Glossiness is 1 - roughness.
+[[nodiscard]] std::string_view glossiness_pointer(std::string_view key);
 
 }  // namespace facet::scene::gltf
