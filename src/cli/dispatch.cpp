@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "cli/dispatch.h"
 
+#include "tables/commands.h"
+
 namespace facet::cli {
 
 #define COMMAND(key, ...) void add_##key(Declaration& command);  // in cmd_NAME.cpp
@@ -9,10 +11,11 @@ namespace facet::cli {
 
 std::vector<NamedCommand> declare_commands() {
     std::vector<NamedCommand> commands;
-#define COMMAND(key, ...)                \
-    commands.emplace_back().name = #key; \
-    add_##key(commands.back().declared);
+#define COMMAND(name, ...)   \
+    commands.emplace_back(); \
+    add_##name(commands.back().declared);
 #include "tables/commands.def"
+    for (std::size_t i = 0; i < commands.size(); ++i) commands[i].name = tables::commands[i].key;
     return commands;
 }
 

@@ -28,7 +28,10 @@ std::string lights() {
         "azimuth 0 is light from +z, 90 from +x; elevation 90 from above. Degrees, metres; vectors "
         "as \"x y z\".\n"
         "color is #rrggbb or \"r g b\" linear; temperature is in kelvin. inner and outer are half "
-        "angles of a cone.\n";
+        "angles of a cone.\n"
+        "shadow=off: nothing keeps the light off. Without a number: 3 lux, 10 candela, 10 nit; an "
+        "IES file has its own\n"
+        "(--list lamps: those that come along).\n";
     out +=
         "Kinds with a size (nit) light by rays, in raster and reference alike; with --shadows maps "
         "or off by linearly\ntransformed cosines. Maps have room for some 40 lights; those after "

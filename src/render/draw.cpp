@@ -153,6 +153,24 @@ base::Status draw_raster(Session& session, const Request& request, const Plan& p
     return {};
 }
 
+/// An exposure that the user set may leave nothing to be seen.
+void warn_of_black(const Plan& plan, const image::Image& shown, base::Warnings& warnings) {
+    if (!plan.exposure || shown.sample != image::Sample::u8) return;
+    constexpr std::uint8_t dark = 2;
+    const auto codes = shown.as<std::uint8_t>();
+    bool is_covered = false;
+    for (std::size_t i = 0; i + 3 < codes.size(); i += 4) {
+        is_covered = is_covered || codes[i + 3] > 0;
+        if (codes[i] > dark || codes[i + 1] > dark || codes[i + 2] > dark) return;
+    }
+    if (is_covered)
+        warnings.push_back(
+            {.where = "exposure",
+             .what = "the picture is black",
+             .found = fmt::format("{:.3g}", *plan.exposure),
+             .remedy = "--exposure auto, or more light: --env-intensity 10000 is daylight"});
+}
+
 }  // namespace
 
 base::Status draw(Session& session, const Request& request, const Plan& plan,
@@ -166,8 +184,10 @@ base::Status draw(Session& session, const Request& request, const Plan& plan,
     session.begin_picture();
     auto drawn = plan.reference ? draw_reference(session, request, plan, tools, out)
                                 : draw_raster(session, request, plan, tools, out);
-    if (drawn && !request.settings.keep_nan) clean(out.layers, out.warnings);
-    return drawn;
+    if (!drawn) return drawn;
+    if (!request.settings.keep_nan) clean(out.layers, out.warnings);
+    if (!request.want_linear) warn_of_black(plan, out.display, out.warnings);
+    return {};
 }
 
 }  // namespace facet::render

@@ -141,7 +141,11 @@ base::Status load_environment(const tables::Settings& settings, const Plan& plan
 }
 
 base::Status aim_camera(const tables::Settings& settings, Job& job) {
-    auto camera = scene::resolve_camera(job.scene, settings.camera, settings.fov, settings.size);
+    // A panorama that nobody aimed is level, as --env takes it.
+    const bool is_level =
+        settings.projection == "panorama" && settings.camera == "auto" && job.scene.cameras.empty();
+    auto camera = scene::resolve_camera(job.scene, is_level ? "orbit:elevation=0" : settings.camera,
+                                        settings.fov, settings.size);
     if (!camera) return tl::unexpected(base::in_file(camera.error(), "--camera"));
     if (!settings.projection.empty())
         scene::set_projection(*camera, job.scene, settings.projection);
@@ -166,7 +170,7 @@ base::Result<Job> load_job(const Request& request, const Plan& plan, base::Threa
     if (auto s = aim_camera(settings, job); !s) return tl::unexpected(s.error());
     if (plan.has_ground && !plan.rays.any() && !plan.reference)
         job.warnings.push_back({.where = "--ground",
-                                .what = "nothing finds the shadows on the ground",
+                                .what = "--shadows maps and off find no shadows on the ground",
                                 .remedy = "--shadows traced"});
     return job;
 }

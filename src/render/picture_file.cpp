@@ -177,6 +177,12 @@ base::Result<Written> write_picture(const PictureFile& file, const Request& requ
                                     Rendered& rendered) {
     if (auto allowed = check_output(file.path, rendered); !allowed)
         return tl::unexpected(allowed.error());
+    if (!tables::row(file.format).alpha && request.settings.background == "none")
+        rendered.warnings.push_back(
+            {.where = "--background",
+             .what = "the format has no alpha: what is not covered is black",
+             .found = file.path.filename().string(),
+             .remedy = "a .png, .webp or .exr"});
     Stopwatch watch;
     const auto bytes = encode_picture(file, request, rendered);
     if (!bytes) return tl::unexpected(bytes.error());

@@ -72,6 +72,9 @@ base::Status plan_camera(const tables::Settings& settings, Plan& plan) {
                                         std::pair{"--focus", settings.focus.has_value()}})
         if (given && !settings.aperture)
             return usage(option, "needs an aperture", "", "add --aperture N, for example 2.8");
+    if (settings.blades == 1 || settings.blades == 2)
+        return usage("--blades", "no aperture has so few corners", std::to_string(settings.blades),
+                     "3 or more, or 0 for a round one");
     return {};
 }
 

@@ -162,6 +162,7 @@ struct SceneImage {
     std::string name;  ///< uri or name, for messages
     std::shared_ptr<const image::Image> pixels;
     bool is_added = false;  ///< not the scene's own: read from the file `name` since
+    std::optional<std::uint32_t> source{};  ///< index in the file
 };
 
 /// A level plane that is seen by the shadows on it alone: what shows behind it shines through,

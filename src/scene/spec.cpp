@@ -74,7 +74,8 @@ base::Result<std::vector<KeyValue>> parse_key_values(std::string_view text) {
         if (base::trimmed(part).empty()) continue;
         const std::size_t equals = part.find('=');
         if (equals == std::string_view::npos)
-            return usage_error("not key=value", base::trimmed(part), "write key=value,key=value");
+            return usage_error("not key=value", base::trimmed(part),
+                               "write key=value,key=value, and vectors as \"x y z\"");
         std::string key(base::trimmed(part.substr(0, equals)));
         std::replace(key.begin(), key.end(), '-', '_');
         const bool again =

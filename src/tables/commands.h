@@ -14,8 +14,14 @@ struct Command {
     std::string_view example;  ///< one line that does something useful
     std::string_view help;
 };
+/// Its key is the second word of its usage: a name of C++ has no dash.
+[[nodiscard]] constexpr Command with_key(Command row) {
+    const std::string_view words = row.usage.substr(row.usage.find(' ') + 1);
+    row.key = words.substr(0, words.find(' '));
+    return row;
+}
 inline constexpr auto commands = std::to_array<Command>({
-#define COMMAND(name, ...) {.key = #name, __VA_ARGS__},
+#define COMMAND(name, ...) with_key({__VA_ARGS__}),
 #include "tables/commands.def"
 });
 

@@ -22,6 +22,7 @@ struct ImageFormatRow {
     std::string_view depths;    ///< comma list of what --depth takes; the first is the default
     bool scene_linear = false;  ///< holds radiance in nit, before exposure and tone mapping
     bool layers = false;        ///< AOVs go inside
+    bool alpha = true;          ///< holds what a picture does not cover
     bool slow_module = false;   ///< through OpenImageIO, in the module opened at first need
     std::string_view help;
 };

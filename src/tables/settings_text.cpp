@@ -37,6 +37,15 @@ Status assign_number(const Setting& row, const std::string& text, double& number
     return {};
 }
 
+/// 1/125, as shutters are written, as a decimal number; another text as it is.
+std::string as_decimal(const std::string& text) {
+    const auto parts = base::split(text, '/');
+    if (parts.size() != 2) return text;
+    const auto above = base::parse_number(parts[0]);
+    const auto below = base::parse_number(parts[1]);
+    return above && below && *below != 0.0 ? fmt::format("{}", *above / *below) : text;
+}
+
 /// Reads one text into the field that a row points to.
 struct Assign {
     Settings& values;
@@ -81,7 +90,7 @@ struct Assign {
     }
     Status operator()(OptionalNumber Settings::*field) const {
         double number = 0;
-        if (auto read = assign_number(row, last(), number); !read) return read;
+        if (auto read = assign_number(row, as_decimal(last()), number); !read) return read;
         values.*field = static_cast<float>(number);
         return {};
     }

@@ -70,6 +70,12 @@ void filter_shadow(const RTCFilterFunctionNArguments* arguments) {
     if (context.transmittance > nothing) arguments->valid[0] = 0;
 }
 
+/// Embree takes no other.
+bool is_finite(const Ray& ray) {
+    const Vec3 sum = ray.origin + ray.direction;
+    return std::isfinite(sum.x + sum.y + sum.z);
+}
+
 RTCRay embree_ray(const Ray& ray) {
     return {.org_x = ray.origin.x,
             .org_y = ray.origin.y,
@@ -179,6 +185,7 @@ Ray behind(const Ray& ray, const Hit& hit) {
 }
 
 bool Geometry::intersect(const Ray& ray, Viewer viewer, Hit& hit) const {
+    if (!is_finite(ray)) return false;
     Context context =
         impl_->context(viewer == Viewer::camera ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT
                                                 : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT);
@@ -194,6 +201,7 @@ bool Geometry::intersect(const Ray& ray, Viewer viewer, Hit& hit) const {
 }
 
 float Geometry::transmittance(const Ray& ray) const {
+    if (!is_finite(ray)) return 0.0F;
     Context context = impl_->context(RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT);
     RTCRay query = embree_ray(ray);
     rtcOccluded1(impl_->embree.get(), &context.embree, &query);

@@ -4,6 +4,7 @@
 
 #include "math/color.h"
 #include "trace/mean.h"
+#include "trace/open_light.h"
 #include "trace/smooth.h"
 
 #include <algorithm>
@@ -19,10 +20,11 @@ constexpr std::uint32_t smooth_passes = 5;
 constexpr float most_share = 8.0F;
 
 /// Light at one place, from `count` numbered paths.
-GatheredMeans light_place(const World& world, const Vec3& place, Cone cone, std::uint32_t number,
-                          std::uint32_t seed, std::uint32_t count) {
+GatheredMeans light_place(const World& world, const Vec3& position_m, Cone cone,
+                          std::uint32_t number, std::uint32_t seed, std::uint32_t count) {
     GatheredMeans out{.has_diffuse = 1.0F, .has_specular = 1.0F};
     Mean lit;
+    const GroundPlace place{position_m, open_ground(world, position_m)};
     for (std::uint32_t i = 0; i < count; ++i) {
         Sequence sequence(number, i, seed);
         std::uint32_t rays = 0;

@@ -186,7 +186,8 @@ private:
     void add_ground(const Vec3& position_m) {
         const float distance_m = math::length(position_m - ray_.origin);
         const Cone cone{cone_.width_at(distance_m), cone_.spread};
-        const Vec3 share = ground_share(world_, position_m, cone, sequence_, out_.rays);
+        const Vec3 share = ground_share(world_, {position_m, open_ground(world_, position_m)}, cone,
+                                        sequence_, out_.rays);
         out_.coverage = 1.0F;
         if (world_.shows_environment)
             add(throughput_ * share * behind_scene().radiance_nit, &LightPaths::background);
@@ -364,22 +365,21 @@ PathLight trace_path(const World& world, const Ray& camera_ray, Cone cone, Seque
     return Path<Books::by_path>(world, camera_ray, cone, sequence, apart).trace();
 }
 
-Vec3 ground_share(const World& world, const Vec3& position_m, Cone cone, Sequence& sequence,
+Vec3 ground_share(const World& world, const GroundPlace& place, Cone cone, Sequence& sequence,
                   std::uint32_t& rays) {
     const Vec3 up(0.0F, 1.0F, 0.0F);
     // Above it by what keeps a model that stands on the ground from being below.
     const float lift_m = 1e-5F * world.scene.ground->radius_m;
-    const Surface surface{.position_m = position_m,
-                          .outside_m = position_m + up * lift_m,
+    const Surface surface{.position_m = place.position_m,
+                          .outside_m = place.position_m + up * lift_m,
                           .face_normal = up,
                           .normal = up};
-    const Vec3 open = open_ground(world, position_m);
     Path<Books::none> path(world, {}, cone, sequence, nullptr);
     const Vec3 change = path.change_on(surface, cone.width_m);
     rays += path.rays();
     Vec3 share(1.0F);
     for (int c = 0; c < 3; ++c)
-        if (open[c] > 0.0F) share[c] += change[c] / open[c];
+        if (place.open_nit[c] > 0.0F) share[c] += change[c] / place.open_nit[c];
     return share;
 }
 

@@ -64,9 +64,14 @@ struct Gathered {
     math::Vec3 specular_open{0.0F};
     math::Vec3 specular_rest{0.0F};
 };
+/// A place on the ground, and the irradiance / pi there if nothing stood on it.
+struct GroundPlace {
+    math::Vec3 position_m;
+    math::Vec3 open_nit;
+};
 /// By how much the scene changes the light on level white ground, of what it would be without: 1
 /// where it changes nothing, and then exactly, for any draw. `cone`: of a pixel there.
-[[nodiscard]] math::Vec3 ground_share(const World& world, const math::Vec3& position_m, Cone cone,
+[[nodiscard]] math::Vec3 ground_share(const World& world, const GroundPlace& place, Cone cone,
                                       Sequence& sequence, std::uint32_t& rays);
 /// Adds one draw to `out`. `cone`: of a pixel at the surface. Returns the number of rays.
 std::uint32_t gather_light(const World& world, const Surface& surface, const math::Vec3& to_eye,

@@ -116,7 +116,8 @@ ImageId use_image(Import& import, std::uint32_t index) {
     import.scene.images.push_back({.name = is_file         ? uri
                                            : !name.empty() ? name
                                                            : fmt::format("image {}", index),
-                                   .pixels = nullptr});
+                                   .pixels = nullptr,
+                                   .source = index});
     import.image_sources.push_back(index);
     return next;
 }

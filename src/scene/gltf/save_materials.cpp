@@ -10,6 +10,8 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <map>
 
 namespace facet::scene::gltf {
@@ -57,16 +59,22 @@ void put_color(OrderedJson& parent, const std::string& key, const math::Vec3& co
     for (int c = 0; c < 3; ++c) array[static_cast<std::size_t>(c)] = shortest(color[c]);
 }
 
+constexpr std::array workflow_extensions = {"KHR_materials_pbrSpecularGlossiness",
+                                            "KHR_materials_ior", "KHR_materials_specular"};
+
+/// What specular-glossiness has in places of its own.
+bool is_of_workflow(std::string_view pointer) {
+    return pointer.starts_with("/pbrMetallicRoughness/") ||
+           pointer.starts_with("/extensions/KHR_materials_ior/") ||
+           pointer.starts_with("/extensions/KHR_materials_specular/");
+}
+
 /// Where a row of the tables stands in the file; empty, with a warning, where it cannot.
 template <class Row>
 std::string_view pointer_of(Saver& saver, std::size_t index, const Material& material,
                             const Row& row) {
     if (!material.has_glossiness) return row.gltf;
-    constexpr std::array replaced = {"/pbrMetallicRoughness/", "/extensions/KHR_materials_ior/",
-                                     "/extensions/KHR_materials_specular/"};
-    const bool is_replaced = std::ranges::any_of(
-        replaced, [&](const char* start) { return row.gltf.starts_with(start); });
-    if (!is_replaced) return row.gltf;
+    if (!is_of_workflow(row.gltf)) return row.gltf;
     const std::string_view pointer = glossiness_pointer(row.key);
     if (pointer.empty())
         warn(saver, index, "",
@@ -119,6 +127,7 @@ base::Result<std::size_t> save_picture(Saver& saver, ImageId id) {
     if (const auto found = saver.pictures.find(id.index); found != saver.pictures.end())
         return found->second;
     const SceneImage& image = saver.edited.images[id.index];
+    if (image.source) return *image.source;
     auto bytes = encoded(saver, image);
     if (!bytes) return tl::unexpected(bytes.error());
     const bool is_png = !bytes->empty() && bytes->front() == std::byte{0x89};
@@ -191,15 +200,82 @@ base::Status save_texture(Saver& saver, OrderedJson& json, std::size_t index, st
     return {};
 }
 
+/// KHR_texture_transform of T R S.
+OrderedJson transform_of(const Mat3& m) {
+    const float scale_u = std::hypot(m[0].x, m[0].y);
+    const float angle = std::atan2(-m[0].y, m[0].x);
+    const float scale_v = m[1].x * std::sin(angle) + m[1].y * std::cos(angle);
+    return {{"offset", {shortest(m[2].x), shortest(m[2].y)}},
+            {"rotation", shortest(angle)},
+            {"scale", {shortest(scale_u), shortest(scale_v)}}};
+}
+
+/// A whole textureInfo, with a sampler of its own where the default would not do.
+base::Status write_texture(Saver& saver, OrderedJson& material, std::string_view pointer,
+                           const Texture& texture) {
+    const auto picture = save_picture(saver, texture.image);
+    if (!picture) return tl::unexpected(picture.error());
+    OrderedJson& json = saver.document.json;
+    OrderedJson entry = {{"source", *picture}};
+    constexpr std::array wraps = {10497, 33071, 33648};  // repeat, clamp, mirror
+    if (texture.wrap_u != Wrap::repeat || texture.wrap_v != Wrap::repeat || texture.nearest) {
+        OrderedJson& samplers = array_at(json, "samplers");
+        samplers.push_back({{"magFilter", texture.nearest ? 9728 : 9729},
+                            {"wrapS", wraps[static_cast<std::size_t>(texture.wrap_u)]},
+                            {"wrapT", wraps[static_cast<std::size_t>(texture.wrap_v)]}});
+        entry["sampler"] = samplers.size() - 1;
+    }
+    OrderedJson& textures = array_at(json, "textures");
+    textures.push_back(std::move(entry));
+    OrderedJson info = {{"index", textures.size() - 1}};
+    if (texture.uv_set != 0) info["texCoord"] = texture.uv_set;
+    if (texture.uv_from_uv != Mat3(1.0F)) {
+        info["extensions"]["KHR_texture_transform"] = transform_of(texture.uv_from_uv);
+        use_extension(json, "KHR_texture_transform");
+    }
+    texture_info(material, pointer) = std::move(info);
+    return {};
+}
+
+/// Everything of a workflow anew, and nothing of the other.
+base::Status save_workflow(Saver& saver, OrderedJson& json, std::size_t index,
+                           const Material& material) {
+    json.erase("pbrMetallicRoughness");
+    if (json.contains("extensions"))
+        for (const char* extension : workflow_extensions) json["extensions"].erase(extension);
+    const auto pointer = [&](const auto& row) {
+        if (!is_of_workflow(row.gltf)) return std::string_view();
+        return material.has_glossiness ? glossiness_pointer(row.key) : row.gltf;
+    };
+    for (const tables::MaterialParam& param : tables::material_params)
+        if (!pointer(param).empty() &&
+            (material.has_glossiness || !same(param, {}, material.values)))
+            save_param(saver, json, index, param, material);
+    for (std::size_t slot = 0; slot < material.textures.size(); ++slot) {
+        const std::string_view at = pointer(tables::material_textures[slot]);
+        if (at.empty() || !material.textures[slot]) continue;
+        if (auto s = write_texture(saver, json, at, *material.textures[slot]); !s) return s;
+        const auto parts = base::split(at, '/');
+        if (parts[1] == "extensions") use_extension(saver.document.json, parts[2]);
+    }
+    return {};
+}
+
 base::Status save_material(Saver& saver, std::size_t index, const Material& before,
                            const Material& after) {
     OrderedJson& json = saver.document.json["materials"][index];
+    const bool is_converted = before.has_glossiness != after.has_glossiness;
+    if (is_converted)
+        if (auto s = save_workflow(saver, json, index, after); !s) return s;
     for (std::size_t slot = 0; slot < after.textures.size(); ++slot) {
+        if (is_converted && is_of_workflow(tables::material_textures[slot].gltf)) continue;
         if (same(before.textures[slot], after.textures[slot])) continue;
         if (auto s = save_texture(saver, json, index, slot, after); !s) return s;
     }
     for (const tables::MaterialParam& param : tables::material_params)
-        if (!same(param, before.values, after.values)) save_param(saver, json, index, param, after);
+        if (!(is_converted && is_of_workflow(param.gltf)) &&
+            !same(param, before.values, after.values))
+            save_param(saver, json, index, param, after);
     constexpr std::array modes = {"OPAQUE", "MASK", "BLEND"};
     if (before.alpha_mode != after.alpha_mode)
         json["alphaMode"] = modes[static_cast<std::size_t>(after.alpha_mode)];
@@ -212,7 +288,20 @@ bool differs(const Material& a, const Material& b) {
         if (!same(param, a.values, b.values)) return true;
     for (std::size_t slot = 0; slot < a.textures.size(); ++slot)
         if (!same(a.textures[slot], b.textures[slot])) return true;
-    return a.alpha_mode != b.alpha_mode || a.double_sided != b.double_sided;
+    return a.alpha_mode != b.alpha_mode || a.double_sided != b.double_sided ||
+           a.has_glossiness != b.has_glossiness;
+}
+
+/// Takes an extension that no material has any more off the lists.
+void prune_extension(OrderedJson& json, std::string_view extension) {
+    for (const OrderedJson& material : json.value("materials", OrderedJson::array()))
+        if (material.contains("extensions") && material["extensions"].contains(extension)) return;
+    for (const char* list : {"extensionsUsed", "extensionsRequired"}) {
+        if (!json.contains(list)) continue;
+        OrderedJson& names = json[list];
+        names.erase(std::remove(names.begin(), names.end(), extension), names.end());
+        if (names.empty()) json.erase(list);
+    }
 }
 
 /// Primitives without a material get the edited default one.
@@ -248,6 +337,7 @@ base::Status save_materials(Document& document, const Scene& original, const Sce
         saved[*after.source] = true;
         if (auto s = save_material(saver, *after.source, before, after); !s) return s;
     }
+    for (const char* extension : workflow_extensions) prune_extension(document.json, extension);
     return {};
 }
 
