@@ -106,7 +106,7 @@ TEST(StudioWindow, ADragOfTheSliderChangesTheGoldUndoPutsItBackAndSaveKeepsIt) {
     const Ran ran = with_window(folder, R"(
 xdotool mousemove 640 715
 shot before.xwd
-drag 1232 242 1090 242
+drag 1200 242 1090 242
 xdotool mousemove 640 715
 shot after.xwd
 xdotool key ctrl+z
@@ -143,7 +143,7 @@ TEST(StudioWindow, WorkOfAKilledSessionIsOfferedAndRestored) {
     const TemporaryFolder folder;
     copy_showcase(folder);
     const Ran ran = with_window(folder, R"(
-drag 1232 242 1090 242
+drag 1200 242 1090 242
 xdotool mousemove 640 715
 shot after.xwd
 kill -9 $studio
