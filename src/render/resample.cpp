@@ -183,7 +183,9 @@ base::Status draw_views(Session& session, std::uint32_t samples, std::vector<Fla
         const auto values = view.radiance.as<float>();
         measured->radiance.insert(measured->radiance.end(), values.begin(), values.end());
         const std::vector<float> own = session.read_depth();
-        measured->depth.insert(measured->depth.end(), own.begin(), own.end());
+        for (std::size_t row = view.size.height; row-- > 0;)  // GL's begin at the bottom
+            for (std::size_t x = 0; x < view.size.width; ++x)
+                measured->depth.push_back(own[row * view.size.width + x]);
     }
     return {};
 }

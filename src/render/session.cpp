@@ -245,8 +245,11 @@ base::Result<std::vector<frame::ExplainedPixel>> Session::explain(
 }
 
 double Session::measure_exposure(std::uint32_t count) {
-    const image::Image sum = frame::read_radiance(*gl_, frame_->sum_framebuffer(), frame_->size());
-    return frame::auto_exposure(sum.as<float>(), read_depth(), count, *pool_);
+    const math::Extent size = frame_->size();
+    std::vector<float> radiance(static_cast<std::size_t>(size.pixels()) * 4);
+    gl::read_pixels(*gl_, frame_->sum_framebuffer(), 0, size, {GL_RGBA, GL_FLOAT},
+                    std::as_writable_bytes(std::span(radiance)));
+    return frame::auto_exposure(radiance, read_depth(), count, *pool_);
 }
 
 std::vector<float> Session::read_depth() const {
@@ -254,11 +257,6 @@ std::vector<float> Session::read_depth() const {
     std::vector<float> depth(static_cast<std::size_t>(size.pixels()));
     gl::read_pixels(*gl_, frame_->depth_framebuffer(), 0, size, {GL_DEPTH_COMPONENT, GL_FLOAT},
                     std::as_writable_bytes(std::span(depth)));
-    const auto row = [&](std::uint32_t y) {
-        return depth.begin() + static_cast<std::ptrdiff_t>(std::size_t{y} * size.width);
-    };
-    for (std::uint32_t y = 0; y < size.height / 2; ++y)  // GL's begin at the bottom
-        std::swap_ranges(row(y), row(y + 1), row(size.height - 1 - y));
     return depth;
 }
 

@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include "scene/dielectric.h"
 
+#include "brdf/terms.h"
+
 namespace facet::scene {
 namespace {
 
 constexpr float plain_ior = 1.5F;
-constexpr float plain_f0 = 0.04F;  // as the shaders write it: the ratio in float is an ulp off
+// As the shaders write it: the ratio in float is an ulp off.
+constexpr float plain_f0 = brdf::Terms<float>::DIELECTRIC_F0;
 
 }  // namespace
 

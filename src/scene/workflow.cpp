@@ -182,7 +182,6 @@ void to_glossiness(Scene& scene, Material& material) {
         const Reflecting r = reflecting(values, maps, Vec2(0.0F));
         material.values.base_color = r.diffuse;
         material.values.specular_color = r.specular;
-        material.values.roughness = values.roughness;
     } else {
         const math::Extent size = maps.largest();
         image::Image diffuse = baked(size, [&](Vec2 uv) {

@@ -43,7 +43,7 @@ void main() {
 #if FACET_SPECULAR
     out_specular = vec4(s.dielectric_f0, s.specular);
 #else
-    out_specular = vec4(0.04, 0.04, 0.04, 1.0);
+    out_specular = draw.dielectric_f0_specular;  // a plain dielectric's
 #endif
 #endif
 #if FACET_ID_TARGET
