@@ -12,13 +12,16 @@ LESSONS = Path(__file__).resolve().parent.parent.parent / "resources" / "lessons
 
 
 def commands():
-    """(lesson, command line) of every ```sh block, each line once."""
+    """{lesson: its command lines} of every ```sh block; a line that was seen in any lesson is left out."""
     seen = {}
     for text in sorted(LESSONS.glob("*/*.md")):
         for block in re.findall(r"```sh\n(.*?)```", text.read_text(), re.S):
             for line in block.splitlines():
                 seen.setdefault(line, text.parent.name)
-    return [(lesson, line) for line, lesson in seen.items()]
+    lessons = {}
+    for line, lesson in seen.items():
+        lessons.setdefault(lesson, []).append(line)
+    return lessons
 
 
 def smaller(line):
@@ -31,17 +34,19 @@ def smaller(line):
 
 def main(facet):
     path = {**os.environ, "PATH": f"{Path(facet).parent}:{os.environ['PATH']}"}
-    failed = 0
-    found = commands()
-    for lesson, line in found:
+    ran = failed = 0
+    for lesson, lines in commands().items():
+        # One folder a lesson: a command may use what those before it wrote.
         with tempfile.TemporaryDirectory() as folder:
-            ran = subprocess.run(["sh", "-c", smaller(line)], cwd=folder, env=path, capture_output=True, text=True,
-                                 timeout=300)
-        if ran.returncode != 0:
-            failed += 1
-            print(f"FAILED: {lesson}: {line}: {ran.stderr.strip()}")
-    print(f"{len(found)} commands of the lessons ran, {failed} failures")
-    return 1 if failed or not found else 0
+            for line in lines:
+                result = subprocess.run(["sh", "-c", smaller(line)], cwd=folder, env=path, capture_output=True, text=True,
+                                        timeout=300)
+                ran += 1
+                if result.returncode != 0:
+                    failed += 1
+                    print(f"FAILED: {lesson}: {line}: {result.stderr.strip()}")
+    print(f"{ran} commands of the lessons ran, {failed} failures")
+    return 1 if failed or not ran else 0
 
 
 if __name__ == "__main__":
