@@ -2,7 +2,7 @@
 function(facet_program name main)
   if(EXISTS ${PROJECT_SOURCE_DIR}/src/${main})
     add_executable(${name} ${PROJECT_SOURCE_DIR}/src/${main})
-    target_link_libraries(${name} PRIVATE facet_cli facet_options)
+    target_link_libraries(${name} PRIVATE facet_cli facet_options facet_seldom_run)
   endif()
 endfunction()
 facet_program(facet cli/main.cpp)

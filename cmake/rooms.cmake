@@ -38,6 +38,12 @@ function(facet_room name)
     endif()
   endforeach()
   if(sources)
+    # Tables whose rows have the plainest names stand alone where a room is compiled several files at once.
+    set(tables ${sources})
+    list(FILTER tables INCLUDE REGEX "/schema_")
+    if(tables)
+      set_source_files_properties(${tables} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+    endif()
     add_library(facet_${name} STATIC ${sources})
     target_include_directories(facet_${name} PUBLIC ${PROJECT_SOURCE_DIR}/src ${PROJECT_BINARY_DIR}
                                                     ${PROJECT_SOURCE_DIR}/glsl)

@@ -3,13 +3,14 @@
 #include "scene/environment_paint.h"
 
 #include <algorithm>
+#include <numbers>
 
 namespace facet::scene {
 
 using math::Vec3;
 
 namespace {
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 }
 
 LatLong::LatLong(math::Extent size) : size_(size) {

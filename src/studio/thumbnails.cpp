@@ -9,12 +9,12 @@ namespace facet::studio {
 namespace {
 
 constexpr math::Extent size_px{112, 112};
-constexpr std::uint32_t samples = 4;
+constexpr std::uint32_t thumbnail_samples = 4;
 
 tables::Settings settings_of(const std::string& preset) {
     tables::Settings settings;
     settings.size = size_px;
-    settings.samples = samples;
+    settings.samples = thumbnail_samples;
     settings.background = "none";
     settings.exposure = "1";
     settings.camera = "orbit:azimuth=30,elevation=20";
@@ -55,9 +55,9 @@ base::Status Thumbnails::step(UiRenderer& pictures) {
     if (!plan) return tl::unexpected(plan.error());
     base::Warnings warnings;
     if (auto s = session_->update(settings, *plan, warnings); !s) return s;
-    for (std::uint32_t i = 0; i < samples; ++i)
-        if (auto s = session_->draw(i, samples); !s) return s;
-    if (auto s = session_->display(1.0, samples); !s) return s;
+    for (std::uint32_t i = 0; i < thumbnail_samples; ++i)
+        if (auto s = session_->draw(i, thumbnail_samples); !s) return s;
+    if (auto s = session_->display(1.0, thumbnail_samples); !s) return s;
     auto s = pictures.upload(tools_.gl, slot_of(preset), session_->read_display());
     if (is_finished()) session_.reset();
     return s;

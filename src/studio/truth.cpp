@@ -11,7 +11,7 @@ namespace facet::studio {
 namespace {
 
 /// Enough for a picture that looks finished; the command line renders more.
-constexpr std::uint32_t samples = 1024;
+constexpr std::uint32_t truth_samples = 1024;
 
 image::Picture picture_of(image::Image&& display) {
     return {.layers = {{.name = "", .channels = {"R", "G", "B", "A"}, .image = std::move(display)}},
@@ -83,7 +83,7 @@ void Truth::update(const gl::Context& gl, Stage& stage, Editor& editor, UiRender
     if (!is_wanted || (started_ && !(*started_ == key))) forget(pictures, inspection);
     if (!is_wanted) return;
     if (!started_ && stage.is_finished()) {
-        worker_.start(stage.job(), stage.plan(), stage.settings(), samples);
+        worker_.start(stage.job(), stage.plan(), stage.settings(), truth_samples);
         started_ = key;
     }
     if (const std::string trouble = worker_.trouble(); !trouble.empty())

@@ -16,8 +16,18 @@ namespace {
 constexpr const char* library_name = "libglfw.so.3";
 constexpr const char* package = "apt-get install libglfw3, or --offscreen";
 
+tl::unexpected<base::Error> no_window(std::string what, std::string found, std::string remedy) {
+    return base::fail({.code = base::ErrorCode::no_backend,
+                       .file = "studio",
+                       .what = std::move(what),
+                       .found = std::move(found),
+                       .remedy = std::move(remedy)});
+}
+
+}  // namespace
+
 /// GLFW's entry points, by their own names.
-struct Glfw {
+struct Window::Glfw {
 #define FUNCTION(name) decltype(&::glfw##name) name = nullptr;
 #include "studio/glfw.def"
 
@@ -32,16 +42,6 @@ struct Glfw {
         return all;
     }
 };
-
-tl::unexpected<base::Error> no_window(std::string what, std::string found, std::string remedy) {
-    return base::fail({.code = base::ErrorCode::no_backend,
-                       .file = "studio",
-                       .what = std::move(what),
-                       .found = std::move(found),
-                       .remedy = std::move(remedy)});
-}
-
-}  // namespace
 
 struct Window::Impl {
     Glfw glfw;

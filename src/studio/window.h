@@ -32,6 +32,7 @@ public:
     void share_clipboard();
 
 private:
+    struct Glfw;
     struct Impl;
     explicit Window(std::unique_ptr<Impl> impl);
     std::unique_ptr<Impl> impl_;

@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 using base::ErrorCode;
 
-constexpr std::size_t most_bytes = std::size_t{1} << 20;
+constexpr std::size_t most_course_bytes = std::size_t{1} << 20;
 
 base::Result<std::vector<Lesson>> chosen(const std::vector<std::string>& names) {
     if (names.empty()) return all_lessons();
@@ -128,7 +128,8 @@ base::Status make_skeleton(const fs::path& folder) {
     if (!data) return tl::unexpected(data.error());
     std::vector<std::pair<std::string, base::Bytes>> files;
     for (const char* file : {"lesson.json", "en.md", "ru.md"}) {
-        auto bytes = base::read_file(*data / "resources" / "teach" / "skeleton" / file, most_bytes);
+        auto bytes =
+            base::read_file(*data / "resources" / "teach" / "skeleton" / file, most_course_bytes);
         if (!bytes) return tl::unexpected(bytes.error());
         files.emplace_back(file, std::move(*bytes));
     }

@@ -18,15 +18,6 @@ using math::Vec3;
 /// Embree's own bytes a triangle, measured on FlightHelmet with a robust scene, rounded up.
 constexpr std::uint64_t bytes_per_triangle = 200;
 
-struct DeviceDeleter {
-    void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
-};
-struct SceneDeleter {
-    void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
-};
-using Device = std::unique_ptr<std::remove_pointer_t<RTCDevice>, DeviceDeleter>;
-using EmbreeScene = std::unique_ptr<std::remove_pointer_t<RTCScene>, SceneDeleter>;
-
 /// What a filter needs beside the ray; Embree hands it through.
 struct Context {
     RTCIntersectContext embree;
@@ -104,6 +95,15 @@ base::Error embree_error(RTCDevice device) {
 }  // namespace
 
 struct Geometry::Impl {
+    struct DeviceDeleter {
+        void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
+    };
+    struct SceneDeleter {
+        void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
+    };
+    using Device = std::unique_ptr<std::remove_pointer_t<RTCDevice>, DeviceDeleter>;
+    using EmbreeScene = std::unique_ptr<std::remove_pointer_t<RTCScene>, SceneDeleter>;
+
     const scene::Scene* scene = nullptr;
     const Textures* textures = nullptr;
     Device device;

@@ -18,7 +18,7 @@ using support::text_of;
 
 constexpr std::size_t most = 1 << 20;
 
-std::string text(const Bytes& bytes) {
+std::string text_of(const Bytes& bytes) {
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 std::span<const std::byte> bytes_of(std::string_view text) {
@@ -28,8 +28,8 @@ std::span<const std::byte> bytes_of(std::string_view text) {
 TEST(ReadFile, GivesTheWholeFile) {
     const TemporaryFolder folder;
     const std::string big(300'000, 'q');
-    EXPECT_EQ(text(read_file(folder.write("a", big), most).value()), big);
-    EXPECT_EQ(text(read_file(folder.write("empty", ""), most).value()), "");
+    EXPECT_EQ(text_of(read_file(folder.write("a", big), most).value()), big);
+    EXPECT_EQ(text_of(read_file(folder.write("empty", ""), most).value()), "");
 }
 TEST(ReadFile, NamesTheFileThatIsNotThere) {
     const auto read = read_file("/nowhere/at/all", most);
@@ -69,8 +69,8 @@ struct Gate : testing::Test {
     }
 };
 TEST_F(Gate, OpensWhatLiesBeneath) {
-    EXPECT_EQ(text(read("textures/a.png").value()), "inside");
-    EXPECT_EQ(text(read("textures/../textures/./a.png").value()), "inside");
+    EXPECT_EQ(text_of(read("textures/a.png").value()), "inside");
+    EXPECT_EQ(text_of(read("textures/../textures/./a.png").value()), "inside");
 }
 TEST_F(Gate, RefusesToLeaveByDots) {
     const auto result = read("../secret.txt");
@@ -87,10 +87,10 @@ TEST_F(Gate, RefusesALinkThatLeaves) {
 }
 TEST_F(Gate, FollowsALinkThatStays) {
     fs::create_symlink("textures/a.png", scene / "b.png");
-    EXPECT_EQ(text(read("b.png").value()), "inside");
+    EXPECT_EQ(text_of(read("b.png").value()), "inside");
 }
 TEST_F(Gate, OpensAFolderThatIsAllowed) {
-    EXPECT_EQ(text(read("../secret.txt", {folder.path()}).value()), "outside");
+    EXPECT_EQ(text_of(read("../secret.txt", {folder.path()}).value()), "outside");
 }
 TEST_F(Gate, AnAllowedFolderThatIsNoneAllowsNothing) {
     EXPECT_FALSE(read("../secret.txt", {""}));

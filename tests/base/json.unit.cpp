@@ -7,13 +7,13 @@
 namespace facet::base {
 namespace {
 
-constexpr std::string_view text = R"({
+constexpr std::string_view document = R"({
   "a": [1, {"b/c": "x}]", "k\u0065y": 2}],
   "d": {"e": 1, "f": 2, "e": 3}
 })";
 
 std::string place(std::string_view pointer, std::size_t occurrence = 0) {
-    const auto found = json_place(text, pointer, occurrence);
+    const auto found = json_place(document, pointer, occurrence);
     return found ? std::to_string(found->line) + ":" + std::to_string(found->column) : "none";
 }
 
@@ -33,12 +33,12 @@ TEST(JsonPlace, HasNoneForWhatIsNotThere) {
     for (const char* pointer : {"/b", "/a/2", "/a/x", "/a/0/0", "/d/e/f", "a", "/a/99999999999"})
         EXPECT_EQ(place(pointer), "none") << pointer;
     EXPECT_EQ(place("/d/e", 2), "none");
-    for (std::size_t cut = 0; cut < text.size(); ++cut)
-        static_cast<void>(json_place(text.substr(0, cut), "/d/f"));
+    for (std::size_t cut = 0; cut < document.size(); ++cut)
+        static_cast<void>(json_place(document.substr(0, cut), "/d/f"));
 }
 
 TEST(ParseJson, NamesTheDuplicate) {
-    const auto parsed = parse_json<nlohmann::ordered_json>(text, Limits{});
+    const auto parsed = parse_json<nlohmann::ordered_json>(document, Limits{});
     ASSERT_FALSE(parsed);
     EXPECT_EQ(parsed.error().what, "duplicate key");
     EXPECT_EQ(parsed.error().where, "/d/e");

@@ -13,13 +13,14 @@ using test::over_polar_cosine;
 using test::reference_rows;
 
 // Tables have ten digits; the terms round a handful of times.
-constexpr double table_digits = 1e-9;
+constexpr double distribution_digits = 1e-9;
 
 template <class F>
 void expect_table(const std::string& name, F term) {
     for (const auto& row : reference_rows(name)) {
         const double expected = row["D"];
-        EXPECT_NEAR(term(row["n_dot_h"], row["alpha"]), expected, table_digits * expected + 1e-300)
+        EXPECT_NEAR(term(row["n_dot_h"], row["alpha"]), expected,
+                    distribution_digits * expected + 1e-300)
             << row.shown;
     }
 }

@@ -12,25 +12,26 @@ using tables::Fresnel;
 using test::reference_rows;
 using Color = Terms<double>::real3;
 
-constexpr double table_digits = 1e-9;  // absolute; the tables have ten digits of numbers up to 1
+constexpr double fresnel_digits = 1e-9;  // absolute; the tables have ten digits of numbers up to 1
 
 TEST(FresnelTables, SchlickEqualsTheTable) {
     Terms<double> terms;
     for (const auto& row : reference_rows("f_schlick"))
-        EXPECT_NEAR(terms.f_schlick(Color(row["f0"]), row["u"]).x, row["F"], table_digits)
+        EXPECT_NEAR(terms.f_schlick(Color(row["f0"]), row["u"]).x, row["F"], fresnel_digits)
             << row.shown;
 }
 
 TEST(FresnelTables, DielectricEqualsTheTableFromBothSides) {
     Terms<double> terms;
     for (const auto& row : reference_rows("f_dielectric"))
-        EXPECT_NEAR(terms.f_dielectric(row["u"], row["eta"]), row["F"], table_digits) << row.shown;
+        EXPECT_NEAR(terms.f_dielectric(row["u"], row["eta"]), row["F"], fresnel_digits)
+            << row.shown;
 }
 
 TEST(FresnelTables, ConductorEqualsTheTable) {
     Terms<double> terms;
     for (const auto& row : reference_rows("f_conductor"))
-        EXPECT_NEAR(terms.f_conductor(row["u"], row["n"], row["k"]), row["F"], table_digits)
+        EXPECT_NEAR(terms.f_conductor(row["u"], row["n"], row["k"]), row["F"], fresnel_digits)
             << row.shown;
 }
 
@@ -38,7 +39,7 @@ TEST(FresnelTables, F82EqualsTheTable) {
     Terms<double> terms;
     for (const auto& row : reference_rows("f_f82"))
         EXPECT_NEAR(terms.f_f82(Color(row["f0"]), Color(row["tint"]), row["u"]).x, row["F"],
-                    table_digits)
+                    fresnel_digits)
             << row.shown;
 }
 

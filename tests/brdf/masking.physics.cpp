@@ -14,7 +14,7 @@ using tables::Masking;
 using test::pi;
 using test::reference_rows;
 
-constexpr double table_digits = 2e-9;  // relative; the tables have ten digits
+constexpr double masking_digits = 2e-9;  // relative; the tables have ten digits
 
 constexpr Masking every_masking[] = {Masking::smith_correlated, Masking::smith,
                                      Masking::schlick_direct, Masking::schlick_ibl, Masking::none};
@@ -33,10 +33,10 @@ TEST(MaskingTables, SmithForGgxEqualsTheTable) {
         const double l = row["n_dot_l"];
         const double alpha = row["alpha"];
         EXPECT_NEAR(terms.v_smith_ggx_correlated(v, l, alpha), row["V_correlated"],
-                    table_digits * row["V_correlated"])
+                    masking_digits * row["V_correlated"])
             << row.shown;
         EXPECT_NEAR(4 * v * l * terms.v_smith_ggx(v, l, alpha), row["G2_separable"],
-                    table_digits * row["G2_separable"])
+                    masking_digits * row["G2_separable"])
             << row.shown;
     }
 }
@@ -47,11 +47,11 @@ TEST(MaskingTables, SmithForBeckmannEqualsTheTable) {
         const double alpha = row["alpha"];
         const double g2 = g_of({.distribution = Distribution::beckmann}, v, row["n_dot_l"],
                                std::sqrt(alpha), alpha);
-        EXPECT_NEAR(g2, row["G2_correlated"], table_digits) << row.shown;
+        EXPECT_NEAR(g2, row["G2_correlated"], masking_digits) << row.shown;
         // Nothing hides a light straight above, which leaves G1 of the view.
         const double g1 = g_of({.distribution = Distribution::beckmann, .masking = Masking::smith},
                                v, 1.0, std::sqrt(alpha), alpha);
-        EXPECT_NEAR(g1, row["G1"], table_digits) << row.shown;
+        EXPECT_NEAR(g1, row["G1"], masking_digits) << row.shown;
     }
 }
 
@@ -60,11 +60,11 @@ TEST(MaskingTables, TheLecturesSchlickEqualsTheTable) {
         const double r = row["roughness"];
         EXPECT_NEAR(
             g_of({.masking = Masking::schlick_direct}, row["n_dot_v"], row["n_dot_l"], r, r * r),
-            row["G_direct"], table_digits)
+            row["G_direct"], masking_digits)
             << row.shown;
         EXPECT_NEAR(
             g_of({.masking = Masking::schlick_ibl}, row["n_dot_v"], row["n_dot_l"], r, r * r),
-            row["G_ibl"], table_digits)
+            row["G_ibl"], masking_digits)
             << row.shown;
     }
 }

@@ -3,13 +3,13 @@
 #include "brdf/albedo.h"
 #include "brdf/light_terms.h"
 #include "brdf/ltc.h"
+#include "support/directions.h"
 #include "support/reference_table.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace facet::brdf {
 namespace {
@@ -19,7 +19,7 @@ using Vec2 = Terms::real2;
 using Vec3 = Terms::real3;
 using Vec4 = Terms::real4;
 
-constexpr double pi = std::numbers::pi;
+using test::pi;
 
 /// As glsl/frame/lighting/area.glsl goes around them.
 double rect_share(const Vec3& center, const Vec3& x, const Vec3& y) {

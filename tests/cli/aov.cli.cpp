@@ -17,7 +17,7 @@ using support::text_of;
 constexpr const char* first_light = "directional:azimuth=60,elevation=30,lux=1";
 constexpr const char* strong_light = "directional:azimuth=-80,elevation=10,lux=9000";
 
-std::vector<std::string> render(const std::string& output, std::vector<std::string> more) {
+std::vector<std::string> render_spheres(const std::string& output, std::vector<std::string> more) {
     std::vector<std::string> all{"render",    "builtin:spheres", "--size", "48x32",
                                  "--quality", "draft",           "-o",     output};
     all.insert(all.end(), more.begin(), more.end());
@@ -29,7 +29,7 @@ TEST(AovOption, AllGivesASideFileARow) {
     for (const char* reference : {"", "1"}) {
         std::vector<std::string> more{"--aov", "all"};
         if (*reference != '\0') more.insert(more.end(), {"--reference", reference});
-        const Ran ran = facet(render((folder / "a.png").string(), more));
+        const Ran ran = facet(render_spheres((folder / "a.png").string(), more));
         ASSERT_EQ(ran.exit, 0) << ran.err;
         for (const tables::AovRow& row : tables::aovs) {
             const auto side = folder / ("a." + std::string(row.key) + ".png");
@@ -45,7 +45,7 @@ TEST(AovOption, TheKeyLightIsTheFirstOfTheLightsGivenWhateverItsStrength) {
     const auto n_dot_l = [&](const std::string& name, const std::vector<std::string>& lights) {
         std::vector<std::string> more{"--aov", "n_dot_l"};
         for (const std::string& light : lights) more.insert(more.end(), {"--light", light});
-        const Ran ran = facet(render((folder / (name + ".png")).string(), more));
+        const Ran ran = facet(render_spheres((folder / (name + ".png")).string(), more));
         EXPECT_EQ(ran.exit, 0) << ran.err;
         return text_of(folder / (name + ".n_dot_l.png"));
     };

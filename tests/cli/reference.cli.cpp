@@ -16,7 +16,7 @@ using support::Ran;
 using support::TemporaryFolder;
 using support::text_of;
 
-std::vector<std::string> render(const std::string& output, std::vector<std::string> more) {
+std::vector<std::string> render_cornell(const std::string& output, std::vector<std::string> more) {
     std::vector<std::string> all{"render",    "builtin:cornell", "--size", "48x32",
                                  "--quality", "draft",           "-o",     output};
     all.insert(all.end(), more.begin(), more.end());
@@ -33,7 +33,8 @@ image::Picture picture(const std::filesystem::path& path) {
 
 TEST(ReferenceCommand, SaysHowManySamplesAndHowNoisyItIs) {
     const TemporaryFolder folder;
-    const Ran ran = facet(render((folder / "a.png").string(), {"--reference", "8", "--json"}));
+    const Ran ran =
+        facet(render_cornell((folder / "a.png").string(), {"--reference", "8", "--json"}));
     ASSERT_EQ(ran.exit, 0) << ran.err;
     const auto object = nlohmann::json::parse(ran.out);
     EXPECT_EQ(object["reference"]["samples"], 8.0);
@@ -47,7 +48,7 @@ TEST(ReferenceCommand, UsesTheExposureOfTheRasterPicture) {
     const TemporaryFolder folder;
     const auto exposure = [&](std::vector<std::string> more) {
         more.emplace_back("--json");
-        const Ran ran = facet(render((folder / "a.png").string(), more));
+        const Ran ran = facet(render_cornell((folder / "a.png").string(), more));
         EXPECT_EQ(ran.exit, 0) << ran.err;
         return nlohmann::json::parse(ran.out)["exposure"].get<double>();
     };
@@ -56,12 +57,12 @@ TEST(ReferenceCommand, UsesTheExposureOfTheRasterPicture) {
 
 TEST(ReferenceCommand, WritesTheSameBytesForAnyNumberOfThreads) {
     const TemporaryFolder folder;
-    ASSERT_EQ(facet(render((folder / "1.exr").string(),
-                           {"--reference", "4", "--aov", "all", "--threads", "1"}))
+    ASSERT_EQ(facet(render_cornell((folder / "1.exr").string(),
+                                   {"--reference", "4", "--aov", "all", "--threads", "1"}))
                   .exit,
               0);
-    ASSERT_EQ(facet(render((folder / "3.exr").string(),
-                           {"--reference", "4", "--aov", "all", "--threads", "3"}))
+    ASSERT_EQ(facet(render_cornell((folder / "3.exr").string(),
+                                   {"--reference", "4", "--aov", "all", "--threads", "3"}))
                   .exit,
               0);
     EXPECT_EQ(text_of(folder / "1.exr"), text_of(folder / "3.exr"));
@@ -70,11 +71,11 @@ TEST(ReferenceCommand, WritesTheSameBytesForAnyNumberOfThreads) {
 TEST(ReferenceCommand, GoesOnUntilTheNoiseAskedForAndEndsAtItsTimeLimit) {
     const TemporaryFolder folder;
     const Ran quiet =
-        facet(render((folder / "a.png").string(), {"--reference", "auto:0.05", "--json"}));
+        facet(render_cornell((folder / "a.png").string(), {"--reference", "auto:0.05", "--json"}));
     ASSERT_EQ(quiet.exit, 0) << quiet.err;
     EXPECT_LE(nlohmann::json::parse(quiet.out)["reference"]["noise"], 0.05);
-    const Ran hurried = facet(render((folder / "a.png").string(),
-                                     {"--reference", "1000000", "--time-limit", "0.2", "--json"}));
+    const Ran hurried = facet(render_cornell(
+        (folder / "a.png").string(), {"--reference", "1000000", "--time-limit", "0.2", "--json"}));
     ASSERT_EQ(hurried.exit, 0) << hurried.err;
     const auto object = nlohmann::json::parse(hurried.out);
     EXPECT_EQ(object["reference"]["stopped_by_time"], true);
@@ -92,7 +93,7 @@ TEST(ReferenceCommand, RefusesWhatItCannotUnderstand) {
                                                   {"--compare"},
                                                   {"--time-limit", "3"},
                                                   {"--reference", "4", "--time-limit", "-1"}}) {
-        const Ran ran = facet(render(out, wrong));
+        const Ran ran = facet(render_cornell(out, wrong));
         EXPECT_EQ(ran.exit, 2) << wrong.front() << ran.err;
         EXPECT_TRUE(ran.err.starts_with("facet: --")) << ran.err;
     }
@@ -104,19 +105,19 @@ TEST(ReferenceCommand, HasLightsWithASizeAsTheRasteriserHasWithRaysAndWithout) {
     const auto out = (folder / "a.png").string();
     std::vector<std::string> light{"--light",
                                    "rect:lumen=500,width=0.5,height=0.5,position=0 1.5 1"};
-    EXPECT_EQ(facet(render(out, light)).exit, 0);
+    EXPECT_EQ(facet(render_cornell(out, light)).exit, 0);
     light.insert(light.end(), {"--shadows", "off"});
-    EXPECT_EQ(facet(render(out, light)).exit, 0);
+    EXPECT_EQ(facet(render_cornell(out, light)).exit, 0);
     light.insert(light.end(), {"--reference", "2"});
-    EXPECT_EQ(facet(render(out, light)).exit, 0);
+    EXPECT_EQ(facet(render_cornell(out, light)).exit, 0);
     light.emplace_back("--compare");
-    EXPECT_EQ(facet(render(out, light)).exit, 0);
+    EXPECT_EQ(facet(render_cornell(out, light)).exit, 0);
 }
 
 TEST(Compare, LaysRasterReferenceAndDifferenceSideBySideWithTheNumbers) {
     const TemporaryFolder folder;
-    const Ran ran =
-        facet(render((folder / "c.png").string(), {"--reference", "4", "--compare", "--json"}));
+    const Ran ran = facet(
+        render_cornell((folder / "c.png").string(), {"--reference", "4", "--compare", "--json"}));
     ASSERT_EQ(ran.exit, 0) << ran.err;
     const auto object = nlohmann::json::parse(ran.out);
     for (const char* key : {"rmse", "psnr", "max", "flip", "pixels"})
@@ -129,15 +130,17 @@ TEST(Compare, LaysRasterReferenceAndDifferenceSideBySideWithTheNumbers) {
 
 TEST(Compare, IsThreeLayersOfAnExrAndNothingOfAnHdr) {
     const TemporaryFolder folder;
-    ASSERT_EQ(facet(render((folder / "c.exr").string(), {"--reference", "4", "--compare"})).exit,
-              0);
+    ASSERT_EQ(
+        facet(render_cornell((folder / "c.exr").string(), {"--reference", "4", "--compare"})).exit,
+        0);
     const auto layers = picture(folder / "c.exr");
     std::vector<std::string> names;
     for (const auto& layer : layers.layers) names.push_back(layer.name);
     for (const char* name : {"", "reference", "difference"})
         EXPECT_NE(std::find(names.begin(), names.end(), name), names.end()) << name;
-    EXPECT_EQ(facet(render((folder / "c.hdr").string(), {"--reference", "4", "--compare"})).exit,
-              2);
+    EXPECT_EQ(
+        facet(render_cornell((folder / "c.hdr").string(), {"--reference", "4", "--compare"})).exit,
+        2);
 }
 
 }  // namespace

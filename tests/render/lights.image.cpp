@@ -183,7 +183,7 @@ Request probed(const std::string& scene) {
     return request;
 }
 
-image::Image shown(const Request& request) {
+image::Image display_of(const Request& request) {
     auto rendered = test::rendered(request);
     return rendered ? std::move(rendered->display) : image::Image{};
 }
@@ -192,9 +192,9 @@ image::Image shown(const Request& request) {
 TEST(Probe, OfAnEmptySceneIsItsEnvironment) {
     Request request = probed("builtin:ball");
     request.settings.set = {"material.*.metallic=1", "material.*.roughness=0.3"};
-    const image::Image open = shown(request);
+    const image::Image open = display_of(request);
     request.settings.probe = "auto";
-    const image::Image with_probe = shown(request);
+    const image::Image with_probe = display_of(request);
     const auto a = open.as<std::uint8_t>();
     const auto b = with_probe.as<std::uint8_t>();
     ASSERT_EQ(a.size(), b.size());
@@ -216,9 +216,9 @@ TEST(Probe, OfABoxShowsItsWallsInAMirror) {
         const std::size_t i = (std::size_t{20} * 80 + 26) * 4;
         return std::pair{v[i], v[i + 1]};
     };
-    EXPECT_LT(red(shown(request)).first, 40);
+    EXPECT_LT(red(display_of(request)).first, 40);
     request.settings.probe = "0 1 0";
-    const auto [r, g] = red(shown(request));
+    const auto [r, g] = red(display_of(request));
     EXPECT_GT(r, g + 20) << int(r) << " " << int(g);
 }
 

@@ -11,12 +11,13 @@
 
 #include <cmath>
 #include <filesystem>
+#include <numbers>
 
 namespace facet::scene {
 namespace {
 
 using math::Vec3;
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 struct Loaded {
     Environment environment;

@@ -1,38 +1,14 @@
 // The glTF importer on broken files: each fault its exit code, its place and its own words.
 // SPDX-License-Identifier: MIT
+#include "gltf_faults.h"
+
 #include <gtest/gtest.h>
 
 #include <functional>
 #include <limits>
 
-#include "gltf_fixture.h"
-
 namespace facet::test {
 namespace {
-
-using base::ErrorCode;
-
-/// A change that breaks a sound document, and what must be said of it.
-struct Fault {
-    const char* name;
-    std::function<void(Document&)> break_it;
-    ErrorCode code;
-    std::string where;
-};
-
-void expect_fault(const Fault& fault) {
-    SCOPED_TRACE(fault.name);
-    Document d = triangle();
-    fault.break_it(d);
-    const auto loaded = load_document(d);
-    ASSERT_FALSE(loaded) << "loads";
-    EXPECT_EQ(loaded.error().code, fault.code) << base::to_line(loaded.error());
-    EXPECT_EQ(loaded.error().where, fault.where) << base::to_line(loaded.error());
-    EXPECT_EQ(loaded.error().file, "test.gltf");
-    EXPECT_FALSE(loaded.error().what.empty());
-}
-
-constexpr ErrorCode invalid = ErrorCode::input_invalid;
 
 TEST(GltfFaults, every_index_that_leads_nowhere_is_an_error_at_its_place) {
     const std::vector<Fault> faults{

@@ -5,6 +5,7 @@
 #include "base/thread_pool.h"
 #include "scene/load.h"
 
+#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include <bit>
@@ -129,6 +130,12 @@ inline base::Result<scene::Loaded> load_document(const Document& d,
                                                  const scene::LoadOptions& options = {},
                                                  const base::Limits& limits = {}) {
     return load_text(d.text(), options, limits);
+}
+/// An empty scene, and a failed test, where the document does not load.
+inline scene::Loaded loaded_or_fail(const Document& d, const scene::LoadOptions& options = {}) {
+    auto loaded = load_document(d, options);
+    EXPECT_TRUE(loaded.has_value()) << base::to_line(loaded.error());
+    return loaded ? std::move(*loaded) : scene::Loaded{};
 }
 
 }  // namespace facet::test

@@ -5,34 +5,10 @@
 #include <functional>
 #include <limits>
 
-#include "gltf_fixture.h"
+#include "gltf_faults.h"
 
 namespace facet::test {
 namespace {
-
-using base::ErrorCode;
-
-/// A change that breaks a sound document, and what must be said of it.
-struct Fault {
-    const char* name;
-    std::function<void(Document&)> break_it;
-    ErrorCode code;
-    std::string where;
-};
-
-void expect_fault(const Fault& fault) {
-    SCOPED_TRACE(fault.name);
-    Document d = triangle();
-    fault.break_it(d);
-    const auto loaded = load_document(d);
-    ASSERT_FALSE(loaded) << "loads";
-    EXPECT_EQ(loaded.error().code, fault.code) << base::to_line(loaded.error());
-    EXPECT_EQ(loaded.error().where, fault.where) << base::to_line(loaded.error());
-    EXPECT_EQ(loaded.error().file, "test.gltf");
-    EXPECT_FALSE(loaded.error().what.empty());
-}
-
-constexpr ErrorCode invalid = ErrorCode::input_invalid;
 
 TEST(GltfLimits, a_cycle_is_told_as_a_chain) {
     Document d = triangle();

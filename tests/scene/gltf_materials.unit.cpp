@@ -15,12 +15,6 @@ using math::Vec3;
 using math::Vec4;
 using tables::TextureSlot;
 
-scene::Loaded loaded_or_fail(const Document& d, const scene::LoadOptions& options = {}) {
-    auto loaded = load_document(d, options);
-    EXPECT_TRUE(loaded.has_value()) << base::to_line(loaded.error());
-    return loaded ? std::move(*loaded) : scene::Loaded{};
-}
-
 /// Smallest PNG there is: one pixel, as bytes.
 std::string tiny_png() {
     const std::vector<unsigned char> bytes{

@@ -12,12 +12,6 @@ namespace {
 using math::Vec3;
 using math::Vec4;
 
-scene::Loaded loaded_or_fail(const Document& d, const scene::LoadOptions& options = {}) {
-    auto loaded = load_document(d, options);
-    EXPECT_TRUE(loaded.has_value()) << base::to_line(loaded.error());
-    return loaded ? std::move(*loaded) : scene::Loaded{};
-}
-
 TEST(GltfNodes, translation_rotation_and_scale_act_in_that_order_down_the_tree) {
     Document d = triangle();
     const float half = std::sqrt(0.5F);

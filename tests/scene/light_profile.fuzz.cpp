@@ -11,7 +11,7 @@
 namespace facet::scene {
 namespace {
 
-constexpr std::string_view seeds[] = {
+constexpr std::string_view profile_seeds[] = {
     "IESNA:LM-63-2002\n[TEST] x\nTILT=NONE\n1 1000 1 3 2 1 2 0 0 0\n1 1 20\n0 45 90\n0 90\n9 8 "
     "7\n6 5 4\n",
     "IESNA91\nTILT=INCLUDE\n1\n2\n0 90\n1 0.9\n1 -1 2 2 1 1 1 0.1 0 0\n1 1 0\n90 180 0 1e3 5\n",
@@ -22,7 +22,7 @@ TEST(LightProfileFuzz, EndsOnEveryMutationWithSharesOfOne) {
     const std::string_view alphabet = "0123456789.-+e, \n\r=TN\0\xFF";
     int whole = 0;
     for (int round = 0; round < 20'000; ++round) {
-        std::string text(seeds[random() % std::size(seeds)]);
+        std::string text(profile_seeds[random() % std::size(profile_seeds)]);
         for (std::uint_fast32_t edits = random() % 6; edits > 0; --edits) {
             const std::size_t at = random() % text.size();
             const char byte = alphabet[random() % alphabet.size()];

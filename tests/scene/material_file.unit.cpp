@@ -7,7 +7,7 @@
 namespace facet::scene {
 namespace {
 
-std::string refusal(std::string_view text) {
+std::string file_refusal(std::string_view text) {
     const auto file = parse_material(text, {});
     EXPECT_FALSE(file) << text;
     return file ? std::string() : base::to_line(file.error());
@@ -48,17 +48,19 @@ TEST(MaterialFile, NumbersThatAreLeftOutStay) {
 }
 
 TEST(MaterialFile, RefusalsNameThePlaceAndWhatItTakes) {
-    EXPECT_NE(refusal(R"({"facet": 1, "rougness": 0})").find("did you mean roughness"),
+    EXPECT_NE(file_refusal(R"({"facet": 1, "rougness": 0})").find("did you mean roughness"),
               std::string::npos);
-    EXPECT_NE(refusal(R"({"facet": 1, "roughness": 2})").find("0 to 1"), std::string::npos);
-    EXPECT_NE(refusal(R"({"facet": 1, "roughness": "a"})").find("/roughness"), std::string::npos);
-    EXPECT_NE(refusal(R"({"facet": 1, "base_color": [0, 1]})").find("[r, g, b]"),
+    EXPECT_NE(file_refusal(R"({"facet": 1, "roughness": 2})").find("0 to 1"), std::string::npos);
+    EXPECT_NE(file_refusal(R"({"facet": 1, "roughness": "a"})").find("/roughness"),
               std::string::npos);
-    EXPECT_NE(refusal(R"({"facet": 2})").find("/facet"), std::string::npos);
-    EXPECT_NE(refusal(R"({"roughness": 0.5})").find("/facet"), std::string::npos);
-    EXPECT_NE(refusal(R"({"facet": 1, "alpha_mode": "glass"})").find("blend"), std::string::npos);
-    refusal("[]");
-    refusal("");
+    EXPECT_NE(file_refusal(R"({"facet": 1, "base_color": [0, 1]})").find("[r, g, b]"),
+              std::string::npos);
+    EXPECT_NE(file_refusal(R"({"facet": 2})").find("/facet"), std::string::npos);
+    EXPECT_NE(file_refusal(R"({"roughness": 0.5})").find("/facet"), std::string::npos);
+    EXPECT_NE(file_refusal(R"({"facet": 1, "alpha_mode": "glass"})").find("blend"),
+              std::string::npos);
+    file_refusal("[]");
+    file_refusal("");
 }
 
 TEST(MaterialFile, EveryPresetReadsAndNamesItsSource) {

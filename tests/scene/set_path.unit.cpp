@@ -24,7 +24,7 @@ Scene scene() {
     out.lights.push_back(*parse_light("directional:name=sun,lux=2"));
     return out;
 }
-std::string refusal(const std::string& assignment) {
+std::string set_refusal(const std::string& assignment) {
     Scene changed = scene();
     const auto status = apply_set(changed, assignment);
     EXPECT_FALSE(status) << assignment;
@@ -117,7 +117,7 @@ TEST(SetPath, APictureThatCannotBeUsedLeavesTheSceneAsItWas) {
         EXPECT_TRUE(changed.images.empty());
         EXPECT_EQ(changed.materials[1].textures[0]->image, ImageId{});
     }
-    EXPECT_NE(refusal("material.Helmet.base_color_texture=a.png").find("coordinates"),
+    EXPECT_NE(set_refusal("material.Helmet.base_color_texture=a.png").find("coordinates"),
               std::string::npos)
         << "no mesh has this material";
 }
@@ -128,7 +128,7 @@ TEST(SetPath, LightsTakeTheKeysOfTheirKind) {
     EXPECT_EQ(changed.lights[0].intensity, 50.0F);
     ASSERT_TRUE(apply_set(changed, "light.sun.lux=7"));
     EXPECT_EQ(changed.lights[1].intensity, 7.0F);
-    EXPECT_NE(refusal("light.sun.candela=7").find("lux"), std::string::npos);
+    EXPECT_NE(set_refusal("light.sun.candela=7").find("lux"), std::string::npos);
 }
 
 TEST(SetPath, OneLightThatRefusesLeavesAllOfThemAsTheyWere) {
@@ -138,19 +138,19 @@ TEST(SetPath, OneLightThatRefusesLeavesAllOfThemAsTheyWere) {
 }
 
 TEST(SetPath, MisspeltNamesAndKeysAreAnsweredWithTheNearestAndWithWhatThereIs) {
-    EXPECT_NE(refusal("material.Helmt.roughness=0.4").find("did you mean Helmet"),
+    EXPECT_NE(set_refusal("material.Helmt.roughness=0.4").find("did you mean Helmet"),
               std::string::npos);
-    EXPECT_NE(refusal("material.Helmt.roughness=0.4").find("Glass"), std::string::npos);
-    EXPECT_NE(refusal("material.Helmet.rougness=0.4").find("did you mean roughness"),
+    EXPECT_NE(set_refusal("material.Helmt.roughness=0.4").find("Glass"), std::string::npos);
+    EXPECT_NE(set_refusal("material.Helmet.rougness=0.4").find("did you mean roughness"),
               std::string::npos);
-    EXPECT_NE(refusal("materiel.Helmet.roughness=0.4").find("did you mean material"),
+    EXPECT_NE(set_refusal("materiel.Helmet.roughness=0.4").find("did you mean material"),
               std::string::npos);
 }
 
 TEST(SetPath, ValueOutOfItsRangeIsAnsweredWithTheRangeOfTheTable) {
-    EXPECT_NE(refusal("material.Helmet.roughness=1.5").find("0 to 1"), std::string::npos);
-    EXPECT_NE(refusal("material.Helmet.base_color=2 0 0").find("0 to 1"), std::string::npos);
-    EXPECT_NE(refusal("material.Helmet.normal_scale=11").find("-10 to 10"), std::string::npos);
+    EXPECT_NE(set_refusal("material.Helmet.roughness=1.5").find("0 to 1"), std::string::npos);
+    EXPECT_NE(set_refusal("material.Helmet.base_color=2 0 0").find("0 to 1"), std::string::npos);
+    EXPECT_NE(set_refusal("material.Helmet.normal_scale=11").find("-10 to 10"), std::string::npos);
 }
 
 TEST(SetPath, BrokenPathsAreUsageErrors) {
@@ -159,7 +159,7 @@ TEST(SetPath, BrokenPathsAreUsageErrors) {
           "material[].roughness=1", "material[4].roughness=1", "material[-1].roughness=1",
           "material[1.roughness=1", "material[1]roughness=1", "material.Helmet.roughness",
           "material.Helmet.roughness=", "material.Helmet.roughness=nan"})
-        refusal(assignment);
+        set_refusal(assignment);
 }
 
 TEST(SetPath, SceneWithoutLightsSaysSo) {

@@ -7,12 +7,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 namespace facet::trace {
 namespace {
 
 using math::Vec3;
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 image::Image picture(std::uint32_t height, float (*nit)(std::uint32_t x, std::uint32_t y)) {
     image::Image out({2 * height, height}, 3, image::Sample::f32);

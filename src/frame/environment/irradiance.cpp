@@ -4,13 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 namespace facet::frame {
 namespace {
 
 using math::Vec3;
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 /// Cells from pole to pole at most; twice as many around.
 constexpr std::uint32_t most_rows = 64;
 

@@ -94,11 +94,11 @@ base::Status ShadowPass::run(const gl::Context& gl, const GpuScene& scene, const
     constexpr float far_depth = 1.0F;
     api.ClearBufferfv(GL_DEPTH, 0, &far_depth);
     api.BindVertexArray(scene.vertex_array.name());
-    const auto tile_px = static_cast<GLsizei>(shadow_atlas_px / plan.across);
+    const auto map_px = static_cast<GLsizei>(shadow_atlas_px / plan.across);
     for (std::size_t i = 0; i < plan.views.size(); ++i) {
         const auto tile = static_cast<GLint>(i);
         const auto across = static_cast<GLint>(plan.across);
-        api.Viewport(tile % across * tile_px, tile / across * tile_px, tile_px, tile_px);
+        api.Viewport(tile % across * map_px, tile / across * map_px, map_px, map_px);
         if (auto drawn = draw(gl, scene, plan.views[i]); !drawn) return drawn;
     }
     return {};

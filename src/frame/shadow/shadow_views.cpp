@@ -88,10 +88,10 @@ Sphere slice(const scene::Camera& camera, math::Extent picture, float near_m, fl
 }
 
 ShadowView parallel(const Light& light, const Sphere& around, const Sphere& scene,
-                    std::uint32_t tile_px) {
+                    std::uint32_t map_px) {
     const scene::LightAxes axes = scene::axes_of(light);
     // By whole texels, so that edges stand still while the camera moves.
-    const float texel_m = 2.0F * around.radius_m / static_cast<float>(tile_px);
+    const float texel_m = 2.0F * around.radius_m / static_cast<float>(map_px);
     const auto snapped = [&](float x) { return std::floor(x / texel_m) * texel_m; };
     const float x = snapped(math::dot(around.center_m, axes.x));
     const float y = snapped(math::dot(around.center_m, axes.y));
@@ -195,7 +195,7 @@ ShadowPlan plan_shadow_views(std::span<const Light> lights, const scene::Camera&
         tiles += count;
     }
     while (plan.across * plan.across < tiles) plan.across *= 2;
-    const std::uint32_t tile_px = shadow_atlas_px / plan.across;
+    const std::uint32_t map_px = shadow_atlas_px / plan.across;
     for (std::size_t i = 0; i < lights.size(); ++i) {
         const ShadowKind kind = plan.casters[i].kind;
         if (kind == ShadowKind::none) continue;
@@ -203,7 +203,7 @@ ShadowPlan plan_shadow_views(std::span<const Light> lights, const scene::Camera&
             add_from_place(lights[i], kind, scene, plan.views);
         else
             for (std::uint32_t c = 0; c < cascades; ++c)
-                plan.views.push_back(parallel(lights[i], slices[c], scene, tile_px));
+                plan.views.push_back(parallel(lights[i], slices[c], scene, map_px));
     }
     return plan;
 }

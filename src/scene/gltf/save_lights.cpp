@@ -10,7 +10,7 @@
 namespace facet::scene::gltf {
 namespace {
 
-constexpr const char* extension = "KHR_lights_punctual";
+constexpr const char* lights_extension = "KHR_lights_punctual";
 
 /// KHR_lights_punctual, section "Defining Lights".
 OrderedJson definition_of(const Light& light) {
@@ -46,10 +46,10 @@ bool same_definition(const Light& a, const Light& b) {
 }
 
 OrderedJson& lights_of(OrderedJson& json) {
-    use_extension(json, extension);
+    use_extension(json, lights_extension);
     OrderedJson& extensions = json["extensions"];
     if (!extensions.is_object()) extensions = OrderedJson::object();
-    OrderedJson& own = extensions[extension];
+    OrderedJson& own = extensions[lights_extension];
     if (!own.is_object()) own = OrderedJson::object();
     return array_at(own, "lights");
 }
@@ -62,7 +62,7 @@ void add_node(OrderedJson& json, const Light& light, std::size_t definition) {
     if (light.kind != tables::LightKind::point)
         node["rotation"] =
             OrderedJson::array({shortest(q.x), shortest(q.y), shortest(q.z), shortest(q.w)});
-    node["extensions"][extension]["light"] = definition;
+    node["extensions"][lights_extension]["light"] = definition;
     OrderedJson& nodes = array_at(json, "nodes");
     nodes.push_back(std::move(node));
     OrderedJson& scenes = array_at(json, "scenes");
@@ -73,14 +73,15 @@ void add_node(OrderedJson& json, const Light& light, std::size_t definition) {
 
 void detach(OrderedJson& json, std::uint32_t node_index) {
     OrderedJson& node = json["nodes"][node_index];
-    node["extensions"].erase(extension);
+    node["extensions"].erase(lights_extension);
     if (node["extensions"].empty()) node.erase("extensions");
 }
 
 void save_changed(OrderedJson& json, const Light& before, const Light& after) {
     const std::uint32_t node = *before.source_node;
     OrderedJson& lights = lights_of(json);
-    auto definition = json["nodes"][node]["extensions"][extension]["light"].get<std::size_t>();
+    auto definition =
+        json["nodes"][node]["extensions"][lights_extension]["light"].get<std::size_t>();
     if (!same_definition(before, after)) {
         // Others may share it: a changed light gets a definition of its own, with the old one's
         // extras.
@@ -89,15 +90,16 @@ void save_changed(OrderedJson& json, const Light& before, const Light& after) {
         for (const auto& [key, value] : old.items())
             if (key == "extras" || key == "extensions") own[key] = value;
         if (std::count_if(json["nodes"].begin(), json["nodes"].end(), [&](const OrderedJson& n) {
-                return n.contains("extensions") && n["extensions"].contains(extension) &&
-                       n["extensions"][extension].value("light", lights.size()) == definition;
+                return n.contains("extensions") && n["extensions"].contains(lights_extension) &&
+                       n["extensions"][lights_extension].value("light", lights.size()) ==
+                           definition;
             }) > 1) {
             lights.push_back(std::move(own));
             definition = lights.size() - 1;
         } else {
             lights[definition] = std::move(own);
         }
-        json["nodes"][node]["extensions"][extension]["light"] = definition;
+        json["nodes"][node]["extensions"][lights_extension]["light"] = definition;
     }
     if (same_pose(before, after)) return;
     detach(json, node);
