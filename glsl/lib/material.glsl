@@ -12,10 +12,15 @@ struct Surface {
     vec3 dielectric_f0;
     float specular;
 #endif
+#if FACET_CLEARCOAT
+    vec3 coat_normal;
+    float coat;
+    float coat_roughness;
+#endif
 };
 
 in vec3 vertex_normal;
-#if FACET_NORMAL_MAP
+#if FACET_TANGENTS
 in vec4 vertex_tangent;
 #endif
 in vec2 vertex_uv0;
@@ -33,6 +38,9 @@ uniform sampler2D occlusion_texture;
 uniform sampler2D emissive_texture;
 uniform sampler2D specular_texture;
 uniform sampler2D specular_color_texture;
+uniform sampler2D clearcoat_texture;
+uniform sampler2D clearcoat_roughness_texture;
+uniform sampler2D clearcoat_normal_texture;
 
 vec2 slot_uv(int slot) {
 #if FACET_UV_GENERAL
@@ -45,24 +53,48 @@ vec2 slot_uv(int slot) {
 #endif
 }
 
-vec3 shading_normal() {
-    // The back of a double-sided surface is lit as its front is: the normal turns to the viewer.
-    float side = gl_FrontFacing ? 1.0 : -1.0;
-    vec3 n = normalize(vertex_normal);
-#if FACET_NORMAL_MAP
-    vec2 xy = (texture(normal_texture, slot_uv(2)).xy * 2.0 - 1.0) * draw.metallic_roughness_normal_ao.z;
+#if FACET_TANGENTS
+// xy: of a normal map, scaled; n: the mesh's normal.
+vec3 mapped_normal(vec3 n, vec2 xy) {
     // z is rebuilt: exact for unit normals, and right for maps that store two channels only.
     float z = sqrt(max(1.0 - dot(xy, xy), 1e-4));
     vec3 t = vertex_tangent.xyz - n * dot(n, vertex_tangent.xyz);
     float t_length = length(t);
-    if (t_length > 1e-6) {
-        t /= t_length;
-        vec3 b = cross(n, t) * vertex_tangent.w;
-        n = normalize(t * xy.x + b * xy.y + n * z);
-    }
-#endif
-    return n * side;
+    if (t_length <= 1e-6) return n;
+    t /= t_length;
+    vec3 b = cross(n, t) * vertex_tangent.w;
+    return normalize(t * xy.x + b * xy.y + n * z);
 }
+#endif
+
+// The back of a double-sided surface is lit as its front is: the normal turns to the viewer.
+float viewed_side() { return gl_FrontFacing ? 1.0 : -1.0; }
+
+vec3 shading_normal() {
+    vec3 n = normalize(vertex_normal);
+#if FACET_NORMAL_MAP
+    n = mapped_normal(n, (texture(normal_texture, slot_uv(2)).xy * 2.0 - 1.0) * draw.metallic_roughness_normal_ao.z);
+#endif
+    return n * viewed_side();
+}
+
+#if FACET_CLEARCOAT
+void fetch_coat(inout Surface s) {
+    vec3 n = normalize(vertex_normal);
+#if FACET_CLEARCOAT_NORMAL_MAP
+    n = mapped_normal(n, (texture(clearcoat_normal_texture, slot_uv(9)).xy * 2.0 - 1.0) * draw.coat.z);
+#endif
+    s.coat_normal = n * viewed_side();
+    s.coat = draw.coat.x;
+#if FACET_CLEARCOAT_TEXTURE
+    s.coat *= texture(clearcoat_texture, slot_uv(7)).r;
+#endif
+    s.coat_roughness = draw.coat.y;
+#if FACET_CLEARCOAT_ROUGHNESS_TEXTURE
+    s.coat_roughness *= texture(clearcoat_roughness_texture, slot_uv(8)).g;
+#endif
+}
+#endif
 
 #ifdef FACET_EXPLAIN
 // What fetch_surface made its surface of.
@@ -150,5 +182,8 @@ Surface fetch_surface() {
 #endif
 #endif
     s.normal = shading_normal();
+#if FACET_CLEARCOAT
+    fetch_coat(s);
+#endif
     return s;
 }

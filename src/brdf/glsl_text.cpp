@@ -51,7 +51,7 @@ std::string assembled(bool needs_e_l, const std::string& terms, Parts parts) {
         "#define FACET_BRDF_NEEDS_E_L {}\n#include \"brdf/prelude.glsl\"\n", needs_e_l ? 1 : 0);
     text += terms;
     for (const char* part :
-         {"albedo_coordinates", "brdf_types", "conserving", "cook_torrance", "model"})
+         {"albedo_coordinates", "brdf_types", "conserving", "cook_torrance", "model", "layers"})
         text += fmt::format("#include \"brdf/model/{}.glsl\"\n", part);
     if (parts == Parts::sampling) text += "#include \"brdf/model/sampling.glsl\"\n";
     return text;

@@ -208,6 +208,7 @@ base::Status Frame::draw_opaque(const gl::Context& gl, const FrameInputs& in,
                                 const ShadeInputs& shade, const DrawTarget& out,
                                 const gl::Framebuffer* background) {
     if (auto s = lighting_pass_.run(gl, gbuffer_, shade, empty_, out); !s) return s;
+    if (auto s = forward_pass_.run_layered(gl, in.scene, shade, out); !s) return s;
     if (background == nullptr) return {};
     if (in.background.kind == BackgroundKind::environment)
         if (auto s = background_pass_.run(gl, in.environment, empty_, {*background, out.size}); !s)
@@ -259,11 +260,13 @@ base::Status Frame::draw_blended(const gl::Context& gl, const FrameInputs& in,
     shade.key.shadow_maps = shadow_maps;
     set_view(gl, open, sample.view);
     if (shade.key.local_lights) (void)update_light_lists(gl, open, sample.view, false);
-    if (auto s = blend_pass_.run(gl, in.scene, far_to_near, shade, radiance_.target()); !s)
+    if (auto s = forward_pass_.run_blended(gl, in.scene, far_to_near, shade, radiance_.target());
+        !s)
         return s;
     if (!light_paths_) return {};
     shade.key.paths = light_paths_->paths;
-    return blend_pass_.run(gl, in.scene, far_to_near, shade, light_paths_->light.target());
+    return forward_pass_.run_blended(gl, in.scene, far_to_near, shade,
+                                     light_paths_->light.target());
 }
 
 base::Status Frame::draw(const gl::Context& gl, const FrameInputs& in, std::uint32_t index,

@@ -5,8 +5,8 @@
 #include "frame/aov/aov.h"
 #include "frame/background/background.h"
 #include "frame/background/ground.h"
-#include "frame/blend/blend.h"
 #include "frame/environment/environment_maps.h"
+#include "frame/forward/forward.h"
 #include "frame/gbuffer/gbuffer.h"
 #include "frame/lighting/light_paths.h"
 #include "frame/lighting/lighting.h"
@@ -135,7 +135,7 @@ private:
           ground_pass_(sources),
           shadow_pass_(sources),
           occlusion_pass_(sources),
-          blend_pass_(sources),
+          forward_pass_(sources),
           aov_pass_(sources),
           display_pass_(sources) {}
 
@@ -184,7 +184,7 @@ private:
     GroundPass ground_pass_;
     ShadowPass shadow_pass_;
     OcclusionPass occlusion_pass_;
-    BlendPass blend_pass_;
+    ForwardPass forward_pass_;
     AovPass aov_pass_;
     DisplayPass display_pass_;
     AccumulatePass accumulate_pass_;

@@ -47,30 +47,55 @@ Lobes::real4 Model::albedo(float n_dot_v, float roughness) const {
            (texel(row + 1, column) * (1.0F - across) + texel(row + 1, column + 1) * across) * down;
 }
 
+LobeFrame::LobeFrame(const Vec3& axis)
+    : x(brdf::LightTerms<float>{}.across(axis)), y(math::cross(axis, x)), z(axis) {}
+
 Bsdf::Bsdf(const Model& model, const Surface& surface, const Vec3& to_eye, Draws draws)
     : model_(&model),
       to_eye_(to_eye),
       face_normal_(surface.face_normal),
-      n_(surface.normal),
+      frame_(surface.normal),
       is_white_(draws == Draws::white) {
     // A shading normal may turn away from the viewer: the view is bent to where the rasteriser
     // clamps the cosine.
-    float n_dot_v = math::dot(n_, to_eye_);
+    const Vec3& n = surface.normal;
+    float n_dot_v = math::dot(n, to_eye_);
     if (n_dot_v < n_dot_v_min) {
-        to_eye_ = math::normalize(to_eye_ + n_ * (n_dot_v_min - n_dot_v));
-        n_dot_v = std::max(math::dot(n_, to_eye_), n_dot_v_min);
+        to_eye_ = math::normalize(to_eye_ + n * (n_dot_v_min - n_dot_v));
+        n_dot_v = std::max(math::dot(n, to_eye_), n_dot_v_min);
     }
     n_dot_v = std::min(n_dot_v, 1.0F);
     Lobes terms = model.environment;
-    x_ = brdf::LightTerms<float>{}.across(n_);
-    y_ = math::cross(n_, x_);
     auto numbers = terms.brdf_surface(surface.base_color, surface.metallic, surface.roughness);
     numbers.dielectric_f0 = surface.dielectric_f0;
     numbers.specular = surface.specular;
     view_ = terms.brdf_view(numbers, n_dot_v, model.albedo(n_dot_v, surface.roughness));
-    sampler_ = terms.brdf_sampler(view_, {math::dot(x_, to_eye_), math::dot(y_, to_eye_), n_dot_v});
+    const Vec3 local = frame_.local(to_eye_);
+    sampler_ = terms.brdf_sampler(view_, {local.x, local.y, n_dot_v});
     if (draws == Draws::specular) sampler_.specular = 1.0F;
     is_mirror_ = view_.surface.alpha < mirror_alpha_max;
+    if (surface.coat > 0.0F) set_coat(surface, draws);
+}
+
+void Bsdf::set_coat(const Surface& surface, Draws draws) {
+    is_coated_ = true;
+    coat_frame_ = LobeFrame(surface.coat_normal);
+    coat_to_eye_ = coat_frame_.local(to_eye_);
+    coat_to_eye_.z = std::max(coat_to_eye_.z, n_dot_v_min);
+    coat_to_eye_ = math::normalize(coat_to_eye_);
+    const float n_dot_v = std::min(coat_to_eye_.z, 1.0F);
+    Lobes terms = model_->environment;
+    const Lobes::real4 albedo = model_->albedo(n_dot_v, surface.coat_roughness);
+    coat_ = terms.brdf_coat(surface.coat, surface.coat_roughness, n_dot_v, albedo.x, albedo.y);
+    is_coat_mirror_ = coat_.alpha < mirror_alpha_max;
+    const Lobes::BrdfValue base = terms.below_coat(coat_, terms.brdf_environment(view_));
+    Vec3 others = base.specular;
+    if (draws == Draws::both) others += base.diffuse;
+    const float share = 3.0F * coat_.albedo /
+                        std::max(3.0F * coat_.albedo + others.x + others.y + others.z, 1e-20F);
+    coat_share_ = std::clamp(share, Lobes::LOBE_SHARE_MIN, 1.0F - Lobes::LOBE_SHARE_MIN);
+    is_coat_alone_ = draws == Draws::coat;
+    if (is_coat_alone_) coat_share_ = 1.0F;
 }
 
 Lobes::BrdfValue Bsdf::values(Lobes terms, const Cosines& at) const {
@@ -79,17 +104,41 @@ Lobes::BrdfValue Bsdf::values(Lobes terms, const Cosines& at) const {
         const Lobes::real4 texel = model_->albedo(at.n_dot_l, view_.surface.roughness);
         e_l = texel.x + texel.y;
     }
-    return terms.brdf_light(view_, at.n_dot_l, at.n_dot_h, at.v_dot_h, e_l);
+    Lobes::BrdfValue value = terms.brdf_light(view_, at.n_dot_l, at.n_dot_h, at.v_dot_h, e_l);
+    if (is_mirror_) value.specular = Vec3(0.0F);
+    if (!is_coated_) return value;
+    value = is_coat_alone_ ? Lobes::BrdfValue{} : terms.below_coat(coat_, value);
+    if (!is_coat_mirror_ && at.coat_n_dot_l > 0.0F)
+        value.specular +=
+            Vec3(terms.coat_light(coat_, at.coat_n_dot_l, at.coat_n_dot_h, at.v_dot_h) *
+                 at.coat_n_dot_l / std::max(at.n_dot_l, 1e-4F));
+    return value;
+}
+
+float Bsdf::pdf(const Cosines& at) const {
+    Lobes terms = model_->environment;
+    const float base = is_mirror_
+                           ? (1.0F - sampler_.specular) * terms.slot_pdf_diffuse(at.n_dot_l)
+                           : terms.brdf_pdf(view_, sampler_, at.n_dot_l, at.n_dot_h, at.v_dot_h);
+    if (!is_coated_) return base;
+    const float coat = is_coat_mirror_ ? 0.0F
+                                       : terms.slot_pdf_reflected(coat_to_eye_.z, at.coat_n_dot_h,
+                                                                  at.v_dot_h, coat_.alpha);
+    return coat_share_ * coat + (1.0F - coat_share_) * base;
 }
 
 bool Bsdf::cosines(const Vec3& to_light, Cosines& out) const {
-    const float n_dot_l = math::dot(n_, to_light);
+    const float n_dot_l = math::dot(frame_.z, to_light);
     if (n_dot_l <= 0.0F || math::dot(face_normal_, to_light) <= 0.0F) return false;
     const Vec3 sum = to_eye_ + to_light;
     const Vec3 h = sum / std::sqrt(std::max(math::dot(sum, sum), 1e-12F));
-    out.n_dot_h = std::clamp(math::dot(n_, h), 0.0F, 1.0F);
+    out.n_dot_h = std::clamp(math::dot(frame_.z, h), 0.0F, 1.0F);
     out.v_dot_h = std::clamp(math::dot(to_eye_, h), 0.0F, 1.0F);
     out.n_dot_l = std::min(n_dot_l, 1.0F);
+    if (is_coated_) {
+        out.coat_n_dot_l = std::clamp(math::dot(coat_frame_.z, to_light), 0.0F, 1.0F);
+        out.coat_n_dot_h = std::clamp(math::dot(coat_frame_.z, h), 0.0F, 1.0F);
+    }
     return true;
 }
 
@@ -103,35 +152,26 @@ Scattered Bsdf::evaluate(const Vec3& to_light) const {
     }
     const Lobes::BrdfValue lit = values(model_->lights, at);
     Scattered out;
-    Lobes terms = model_->environment;
-    if (is_mirror_) {
-        out.of_light = lit.diffuse * cosine;
-        out.of_environment = out.of_light;
-        out.pdf = (1.0F - sampler_.specular) * terms.slot_pdf_diffuse(cosine);
-        return out;
-    }
     out.of_light = (lit.diffuse + lit.specular) * cosine;
     out.of_environment = out.of_light;
-    if (!model_->one_masking) {
-        const Lobes::BrdfValue around = values(terms, at);
+    if (!model_->one_masking && !has_mirrors_alone()) {
+        const Lobes::BrdfValue around = values(model_->environment, at);
         out.of_environment = (around.diffuse + around.specular) * cosine;
     }
-    out.pdf = terms.brdf_pdf(view_, sampler_, cosine, at.n_dot_h, at.v_dot_h);
+    out.pdf = pdf(at);
     return out;
 }
 
 Scattered Bsdf::evaluate_specular(const Vec3& to_light) const {
     Cosines at;
-    if (is_mirror_ || !cosines(to_light, at)) return {};
-    Lobes terms = model_->environment;
-    return {Vec3(0.0F), values(terms, at).specular * at.n_dot_l,
-            terms.brdf_pdf(view_, sampler_, at.n_dot_l, at.n_dot_h, at.v_dot_h)};
+    if (has_mirrors_alone() || !cosines(to_light, at)) return {};
+    return {Vec3(0.0F), values(model_->environment, at).specular * at.n_dot_l, pdf(at)};
 }
 
 Bsdf::DiffuseShares Bsdf::diffuse_shares(const Vec3& to_light) const {
     Cosines at;
     if (!cosines(to_light, at)) return {};
-    if (is_mirror_) return {Vec3(1.0F), Vec3(1.0F)};
+    if (has_mirrors_alone()) return {Vec3(1.0F), Vec3(1.0F)};
     const auto share = [&](const Lobes& terms) {
         const Lobes::BrdfValue f = values(terms, at);
         constexpr float least = 1e-30F;
@@ -143,24 +183,47 @@ Bsdf::DiffuseShares Bsdf::diffuse_shares(const Vec3& to_light) const {
 
 Lobes::BrdfValue Bsdf::environment_weight() const {
     Lobes terms = model_->environment;
-    return terms.brdf_environment(view_);
+    Lobes::BrdfValue weight = terms.brdf_environment(view_);
+    if (!is_coated_) return weight;
+    weight = is_coat_alone_ ? Lobes::BrdfValue{} : terms.below_coat(coat_, weight);
+    weight.specular += Vec3(coat_.albedo);
+    return weight;
+}
+
+Bsdf::Sample Bsdf::mirrored(const Vec3& normal, const Vec3& share) const {
+    Sample out;
+    out.direction = normal * (2.0F * math::dot(normal, to_eye_)) - to_eye_;
+    out.is_mirror = true;
+    out.is_valid = math::dot(face_normal_, out.direction) > 0.0F;
+    out.scattered = {share, share, 1.0F};
+    return out;
 }
 
 Bsdf::Sample Bsdf::sample(Vec2 u, float lobe) const {
     Lobes terms = model_->environment;
-    Sample out;
-    if (is_mirror_ && !is_white_ && lobe < sampler_.specular) {
-        out.direction = n_ * (2.0F * math::dot(n_, to_eye_)) - to_eye_;
-        out.is_mirror = true;
-        out.is_valid = math::dot(face_normal_, out.direction) > 0.0F;
-        const Vec3 share = terms.brdf_mirror(view_) / sampler_.specular;
-        out.scattered = {share, share, 1.0F};
-        return out;
+    Vec3 local;
+    const LobeFrame* frame = &frame_;
+    const float others = 1.0F - coat_share_;
+    if (is_white_) {
+        local = terms.sample_cosine(u);
+    } else if (lobe < coat_share_) {
+        if (is_coat_mirror_)
+            return mirrored(coat_frame_.z, Vec3(terms.coat_mirror(coat_) / coat_share_));
+        frame = &coat_frame_;
+        const Vec3 h = terms.slot_sample_half(coat_to_eye_, coat_.alpha, u);
+        local = h * (2.0F * math::dot(coat_to_eye_, h)) - coat_to_eye_;
+    } else {
+        const float of_base = (lobe - coat_share_) / others;
+        if (is_mirror_ && of_base < sampler_.specular) {
+            const Vec3 below(is_coated_ ? 1.0F - coat_.albedo : 1.0F);
+            return mirrored(frame_.z,
+                            terms.brdf_mirror(view_) * below / (sampler_.specular * others));
+        }
+        local = terms.brdf_sample(view_, sampler_, u, of_base);
     }
-    const Vec3 local =
-        is_white_ ? terms.sample_cosine(u) : terms.brdf_sample(view_, sampler_, u, lobe);
+    Sample out;
     if (local.z <= 0.0F) return out;
-    out.direction = math::normalize(x_ * local.x + y_ * local.y + n_ * local.z);
+    out.direction = frame->world(local);
     out.scattered = evaluate(out.direction);
     out.is_valid = out.scattered.pdf > 0.0F;
     return out;

@@ -34,11 +34,24 @@ struct Scattered {
     float pdf = 0.0F;
 };
 
+/// A unit vector and two at right angles to it.
+struct LobeFrame {
+    math::Vec3 x{0.0F}, y{0.0F}, z{0.0F};
+    LobeFrame() = default;
+    explicit LobeFrame(const math::Vec3& axis);
+    [[nodiscard]] math::Vec3 local(const math::Vec3& world) const {
+        return {math::dot(x, world), math::dot(y, world), math::dot(z, world)};
+    }
+    [[nodiscard]] math::Vec3 world(const math::Vec3& local) const {
+        return math::normalize(x * local.x + y * local.y + z * local.z);
+    }
+};
+
 class Bsdf {
 public:
-    /// Which lobes sample() draws from; `white`: of a Lambert surface of albedo 1, whatever the
-    /// surface's own.
-    enum class Draws : std::uint8_t { both, specular, white };
+    /// Which lobes sample() draws from. `coat`: there is no other, in values and weights too;
+    /// `white`: of a Lambert surface of albedo 1, whatever the surface's own.
+    enum class Draws : std::uint8_t { both, specular, coat, white };
     /// `to_eye` is unit. `model` outlives this.
     Bsdf(const Model& model, const Surface& surface, const math::Vec3& to_eye,
          Draws draws = Draws::both);
@@ -72,19 +85,36 @@ private:
         float n_dot_l = 0.0F;
         float n_dot_h = 0.0F;
         float v_dot_h = 0.0F;
+        float coat_n_dot_l = 0.0F;
+        float coat_n_dot_h = 0.0F;
     };
     /// False below the surface.
     [[nodiscard]] bool cosines(const math::Vec3& to_light, Cosines& out) const;
+    /// Of all layers; a mirror's lobe is not in it.
     [[nodiscard]] Lobes::BrdfValue values(Lobes terms, const Cosines& at) const;
+    [[nodiscard]] float pdf(const Cosines& at) const;
+    void set_coat(const Surface& surface, Draws draws);
+    /// No lobe of sample() has a width.
+    [[nodiscard]] bool has_mirrors_alone() const {
+        return (is_mirror_ || is_coat_alone_) && (!is_coated_ || is_coat_mirror_);
+    }
+    [[nodiscard]] Sample mirrored(const math::Vec3& normal, const math::Vec3& share) const;
 
     const Model* model_;
     Lobes::BrdfView view_;
     Lobes::BrdfSampler sampler_;
     math::Vec3 to_eye_;
     math::Vec3 face_normal_;
-    math::Vec3 x_, y_, n_;
+    LobeFrame frame_;
     bool is_mirror_;
     bool is_white_;
+    bool is_coated_ = false;
+    bool is_coat_mirror_ = false;
+    bool is_coat_alone_ = false;
+    Lobes::BrdfCoat coat_{};
+    LobeFrame coat_frame_;
+    math::Vec3 coat_to_eye_{0.0F};  ///< in that frame
+    float coat_share_ = 0.0F;       ///< of the samples
 };
 
 }  // namespace facet::trace

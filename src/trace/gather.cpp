@@ -114,7 +114,7 @@ private:
                        .normal = surface.normal,
                        .spacing_m = seen_.pixel_width_at(surface.position_m) *
                                     static_cast<float>(settings_.stride),
-                       .alpha = surface.roughness * surface.roughness,
+                       .alpha = narrowest_alpha(surface),
                        .is_surface = true};
         if (settings_.expected)
             expected_[at] = math::luminance(settings_.expected(
@@ -140,10 +140,14 @@ private:
         });
     }
 
+    /// Without the coat that sample_light() draws for.
     [[nodiscard]] Surface surface_of(const Place& place) const {
-        return seen_surface(world_.scene, world_.frames,
-                            seen_.pixels[std::size_t{place.y} * seen_.size.width + place.x],
-                            seen_.ray(place.x, place.y));
+        Surface surface =
+            seen_surface(world_.scene, world_.frames, world_.textures,
+                         seen_.pixels[std::size_t{place.y} * seen_.size.width + place.x],
+                         seen_.ray(place.x, place.y));
+        if (has_coat_apart(surface, settings_.mirrored_alpha)) surface.coat = 0.0F;
+        return surface;
     }
 
     /// Draws paths there until there are `count`.

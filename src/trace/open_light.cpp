@@ -20,7 +20,8 @@ Vec3 open_specular(const World& world, const Surface& surface, const Vec3& to_ey
                 sum += f.of_environment * sky.light.radiance_nit *
                        (power_share(sky.light.pdf, f.pdf) / sky.light.pdf);
         }
-        const Bsdf::Sample sample = bsdf.sample(sequence.next_pair(), 0.0F);
+        const math::Vec2 u = sequence.next_pair();
+        const Bsdf::Sample sample = bsdf.sample(u, sequence.next_pair().x);
         if (!sample.is_valid) continue;
         const EnvironmentLight::Light light = world.environment.at(sample.direction);
         if (sample.is_mirror) {

@@ -1,6 +1,7 @@
 // Light at single samples of a frame.
 // SPDX-License-Identifier: MIT
 #include "math/color.h"
+#include "scene/layers.h"
 #include "trace/gather.h"
 #include "trace/lobe_weight.h"
 
@@ -38,11 +39,21 @@ SampleLight sample_light(const World& world, const Seen& seen, const IndirectPix
             const std::uint32_t place_y = y / middles.stride;
             const std::size_t place = std::size_t{place_y} * middles.size.width + place_x;
             const bool is_intricate = settings.intricate > 0 && middles.intricate[place] != 0;
-            const bool is_smooth = pixel.roughness * pixel.roughness < settings.mirrored_alpha;
-            if (!is_smooth && !is_intricate) return;
+            const bool may_be_smooth =
+                pixel.roughness * pixel.roughness < settings.mirrored_alpha ||
+                scene::has_clearcoat(
+                    world.scene.material_of(world.scene.instances[pixel.instance]));
+            if (!may_be_smooth && !is_intricate) return;
             const Ray ray = seen.ray(x, y);
-            const Surface surface = seen_surface(world.scene, world.frames, pixel, ray);
-            const Bsdf bsdf(world.model, surface, -ray.direction);
+            const Surface surface =
+                seen_surface(world.scene, world.frames, world.textures, pixel, ray);
+            const bool is_smooth = narrowest_alpha(surface) < settings.mirrored_alpha;
+            if (!is_smooth && !is_intricate) return;
+            const bool of_coat = !is_intricate && has_coat_apart(surface, settings.mirrored_alpha);
+            const Bsdf::Draws draws = is_intricate ? Bsdf::Draws::both
+                                      : of_coat    ? Bsdf::Draws::coat
+                                                   : Bsdf::Draws::specular;
+            const Bsdf bsdf(world.model, surface, -ray.direction, draws);
             const std::uint32_t count = std::max<std::uint32_t>(
                 is_intricate ? settings.intricate : 1, middles.at_sample[place]);
             Gathered light;
@@ -51,15 +62,17 @@ SampleLight sample_light(const World& world, const Seen& seen, const IndirectPix
                 Sequence sequence(seen.number_of(x, y), frame * count + i, settings.seed + 1);
                 gather_light(world, surface, -ray.direction,
                              {seen.pixel_width_at(surface.position_m), seen.pixel_spread}, sequence,
-                             light, is_intricate ? Bsdf::Draws::both : Bsdf::Draws::specular);
+                             light, draws);
             }
             const float share = 1.0F / static_cast<float>(count);
             const auto weight = bsdf.environment_weight();
             Vec3 specular =
                 over((light.specular_sky + light.specular_rest) * share, filled(weight.specular));
-            const float most = most_mirrored(middles, place_x, place_y);
+            // Middles know nothing of a coat that is drawn for here.
+            const float most =
+                of_coat ? math::luminance(specular) : most_mirrored(middles, place_x, place_y);
             if (const float nit = math::luminance(specular); nit > most) specular *= most / nit;
-            out.specular[at] = Vec4(specular, 1.0F);
+            out.specular[at] = Vec4(specular, of_coat ? 2.0F : 1.0F);
             if (is_intricate)
                 out.diffuse[at] = Vec4(
                     over((light.diffuse_sky + light.diffuse_rest) * share, filled(weight.diffuse)),

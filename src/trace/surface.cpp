@@ -3,6 +3,7 @@
 #include "trace/surface.h"
 
 #include "scene/dielectric.h"
+#include "scene/layers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -83,14 +84,13 @@ private:
     float area2_ = 0.0F;
 };
 
-/// glsl/lib/material.glsl's shading_normal, on the front side.
-Vec3 shading_normal(const scene::Scene& scene, const Mat3& normal_from_object, const Point& point) {
-    const Vec3 n = math::normalize(normal_from_object * point.corners.mix(point.mesh.normals));
-    const auto& texture = point.material.texture(TextureSlot::normal_texture);
+/// glsl/lib/material.glsl's mapped_normal, on the front side: of the normal map in `slot`.
+Vec3 mapped_normal(const scene::Scene& scene, const Point& point, const Vec3& n, TextureSlot slot,
+                   float scale) {
+    const auto& texture = point.material.texture(slot);
     if (!texture || point.mesh.tangents.empty()) return n;
     if (scene.images[texture->image.index].pixels == nullptr) return n;
-    const Vec2 xy = (Vec2(point(TextureSlot::normal_texture)) * 2.0F - 1.0F) *
-                    point.material.values.normal_scale;
+    const Vec2 xy = (Vec2(point(slot)) * 2.0F - 1.0F) * scale;
     const float z = std::sqrt(std::max(1.0F - math::dot(xy, xy), 1e-4F));
     const Vec4 tangent = point.corners.mix(point.mesh.tangents);
     const Vec3 across = Mat3(point.instance.world_from_object) * Vec3(tangent);
@@ -100,6 +100,31 @@ Vec3 shading_normal(const scene::Scene& scene, const Mat3& normal_from_object, c
     const Vec3 unit = t / length;
     const Vec3 b = math::cross(n, unit) * tangent.w;
     return math::normalize(unit * xy.x + b * xy.y + n * z);
+}
+
+Vec3 mesh_normal(const Mat3& normal_from_object, const Point& point) {
+    return math::normalize(normal_from_object * point.corners.mix(point.mesh.normals));
+}
+
+bool is_finite(const Vec3& v) { return std::isfinite(v.x + v.y + v.z); }
+
+/// glsl/lib/material.glsl's fetch_coat. After the sides.
+void fill_layers(const scene::Scene& scene, const Mat3& normal_from_object, const Point& point,
+                 Surface& s) {
+    const scene::Material& material = point.material;
+    const tables::MaterialValues& v = material.values;
+    if (!scene::has_clearcoat(material)) return;
+    s.coat = v.clearcoat;
+    s.coat_roughness = v.clearcoat_roughness;
+    if (point.has(TextureSlot::clearcoat_texture))
+        s.coat *= point(TextureSlot::clearcoat_texture).x;
+    if (point.has(TextureSlot::clearcoat_roughness_texture))
+        s.coat_roughness *= point(TextureSlot::clearcoat_roughness_texture).y;
+    const float side = s.front ? 1.0F : -1.0F;
+    s.coat_normal = mapped_normal(scene, point, mesh_normal(normal_from_object, point),
+                                  TextureSlot::clearcoat_normal_texture, v.clearcoat_normal_scale) *
+                    side;
+    if (!is_finite(s.coat_normal)) s.coat_normal = s.face_normal;
 }
 
 Vec4 base_color_opacity(const Point& point) {
@@ -202,13 +227,17 @@ Surface surface_at(const scene::Scene& scene, const std::vector<InstanceFrame>& 
     point.set_footprint(area2, cone_m, std::fabs(math::dot(face, direction)));
     fill_material(point, s);
     const float side = s.front ? 1.0F : -1.0F;
-    s.normal = shading_normal(scene, frames[hit.instance].normal_from_object, point) * side;
-    if (!std::isfinite(s.normal.x + s.normal.y + s.normal.z)) s.normal = s.face_normal;
+    const Mat3& normal_from_object = frames[hit.instance].normal_from_object;
+    s.normal = mapped_normal(scene, point, mesh_normal(normal_from_object, point),
+                             TextureSlot::normal_texture, point.material.values.normal_scale) *
+               side;
+    if (!is_finite(s.normal)) s.normal = s.face_normal;
+    fill_layers(scene, normal_from_object, point, s);
     return s;
 }
 
 Surface seen_surface(const scene::Scene& scene, const std::vector<InstanceFrame>& frames,
-                     const SeenPixel& pixel, const Ray& from_eye) {
+                     const Textures& textures, const SeenPixel& pixel, const Ray& from_eye) {
     const auto corner = [&](float u, float v) {
         return position_at(
             scene, {.instance = pixel.instance, .triangle = pixel.triangle, .u = u, .v = v});
@@ -241,6 +270,10 @@ Surface seen_surface(const scene::Scene& scene, const std::vector<InstanceFrame>
     s.specular = pixel.specular;
     const float length = math::length(normal);
     set_sides(s, normal / std::max(length, 1e-30F), from_eye.direction, frames[pixel.instance]);
+    if (scene::has_clearcoat(scene.material_of(scene.instances[pixel.instance]))) {
+        const Hit hit{.instance = pixel.instance, .triangle = pixel.triangle, .u = u, .v = v};
+        fill_layers(scene, frames[pixel.instance].normal_from_object, {scene, textures, hit}, s);
+    }
     return s;
 }
 

@@ -26,7 +26,10 @@ struct Surface {
     float roughness = 1.0F;  ///< perceptual
     math::Vec3 dielectric_f0{Lobes::DIELECTRIC_F0};
     float specular = 1.0F;  ///< strength of the dielectric's reflection
-    float ao = 1.0F;        ///< of the occlusion map; for AOVs, as rays find what is occluded
+    float coat = 0.0F;      ///< strength of the lacquer over it; without it the two below are unset
+    float coat_roughness = 0.0F;
+    math::Vec3 coat_normal{0.0F};
+    float ao = 1.0F;  ///< of the occlusion map; for AOVs, as rays find what is occluded
     math::Vec3 emissive_nit{0.0F};
     bool front = true;
     bool unlit = false;
@@ -47,6 +50,21 @@ struct InstanceFrame {
                                  const std::vector<InstanceFrame>& frames, const Textures& textures,
                                  const Hit& hit, const math::Vec3& direction, float cone_m);
 
+/// Width of its narrowest lobe.
+[[nodiscard]] inline float narrowest_alpha(const Surface& surface) {
+    const float coat = surface.coat > 0.0F ? surface.coat_roughness : 1.0F;
+    const float roughness = surface.roughness < coat ? surface.roughness : coat;
+    return roughness * roughness;
+}
+
+/// Whether its coat shows a picture where the base shows none: below `mirrored_alpha` lobes are
+/// drawn at every sample of a frame, others once for all.
+[[nodiscard]] inline bool has_coat_apart(const Surface& surface, float mirrored_alpha) {
+    return surface.coat > 0.0F &&
+           surface.coat_roughness * surface.coat_roughness < mirrored_alpha &&
+           surface.roughness * surface.roughness >= mirrored_alpha;
+}
+
 /// One pixel of a picture as a rasteriser stored it: which triangle is seen, and the numbers that
 /// textures gave there.
 struct SeenPixel {
@@ -61,9 +79,10 @@ struct SeenPixel {
     float specular = 1.0F;
 };
 /// The surface of such a pixel where a ray from the eye meets its triangle's plane; edges are
-/// drawn a little beyond it.
+/// drawn a little beyond it. Its layers, which no target holds, are of the finest level.
 [[nodiscard]] Surface seen_surface(const scene::Scene& scene,
-                                   const std::vector<InstanceFrame>& frames, const SeenPixel& pixel,
+                                   const std::vector<InstanceFrame>& frames,
+                                   const Textures& textures, const SeenPixel& pixel,
                                    const Ray& from_eye);
 
 /// Share of light that the surface takes there, from the finest level: 1 where it is opaque, 0 in a

@@ -38,7 +38,8 @@ std::vector<std::uint8_t> light_visibility(const World& world, const Seen& seen,
     std::vector<std::uint8_t> out(slots * pixels, 255);
     for_each_surface(
         seen, pool, [&](std::uint32_t x, std::uint32_t y, std::size_t at, const SeenPixel& pixel) {
-            const Surface surface = seen_surface(world.scene, world.frames, pixel, seen.ray(x, y));
+            const Surface surface =
+                seen_surface(world.scene, world.frames, world.textures, pixel, seen.ray(x, y));
             const auto choice = lights.at(x, y);
             Sequence sequence(seen.number_of(x, y), sample.frame, sample.seed);
             for (std::size_t i = 0; i < std::min(choice.size(), slots); ++i)

@@ -13,6 +13,7 @@ const uint EXPLAIN_GBUFFER = 0u;
 const uint EXPLAIN_LIGHTING = 1u;
 const uint EXPLAIN_BLEND = 2u;
 const uint EXPLAIN_BACKGROUND = 3u;
+const uint EXPLAIN_LAYERS = 4u;
 
 ExplainedSurface explained;
 uint explain_record = 0u;   // of `explained`

@@ -54,13 +54,13 @@ struct AreaView {
     mat3 frame;  // x along the view's projection, z the normal
     vec4 cell;   // of the table
 };
-AreaView area_view(ShadePoint p, float n_dot_v) {
-    vec3 side = p.to_eye - p.normal * dot(p.to_eye, p.normal);
+AreaView area_view(vec3 to_eye, vec3 normal, float roughness, float n_dot_v) {
+    vec3 side = to_eye - normal * dot(to_eye, normal);
     float length2 = dot(side, side);
-    vec3 x = length2 > 1e-8 ? side * inversesqrt(length2) : across(p.normal);
+    vec3 x = length2 > 1e-8 ? side * inversesqrt(length2) : across(normal);
     float inner = (LTC_TABLE_SIZE - 1.0) / LTC_TABLE_SIZE;
-    vec2 at = ltc_coordinates(n_dot_v, p.roughness) * inner + 0.5 / LTC_TABLE_SIZE;
-    return AreaView(mat3(x, cross(p.normal, x), p.normal), textureLod(ltc_table, at, 0.0));
+    vec2 at = ltc_coordinates(n_dot_v, roughness) * inner + 0.5 / LTC_TABLE_SIZE;
+    return AreaView(mat3(x, cross(normal, x), normal), textureLod(ltc_table, at, 0.0));
 }
 
 AreaShares area_shares(AreaView v, SeenArea a) {

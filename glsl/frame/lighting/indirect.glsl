@@ -7,13 +7,14 @@ uniform sampler2D indirect_guide;     // xyz: metres; w: normal, -1 where nothin
 
 #if FACET_SAMPLE_LIGHT
 uniform sampler2D sample_diffuse;   // rgb: irradiance / pi at this very sample, nit; a: 1 where it is there
-uniform sampler2D sample_specular;  // rgb: nit; likewise
+uniform sampler2D sample_specular;  // rgb: nit; likewise, 2 where it is the coat's
 #endif
 
 struct IndirectLight {
     vec3 sky;
     vec3 rest;
     vec3 specular;
+    vec3 coat;  // of its own lobe, where that was drawn apart
 };
 
 vec3 guide_normal(float packed_normal) {
@@ -53,12 +54,15 @@ IndirectLight indirect_light(vec3 position_m, vec3 normal) {
     light.sky = sky.a > 0.0 ? sky.rgb / sky.a : vec3(1.0);
     light.rest = sky.a > 0.0 ? rest / sky.a : vec3(0.0);
     light.specular = specular.rgb / max(specular.a, 1e-20);
+    light.coat = light.specular;
 #if FACET_SAMPLE_LIGHT
     vec4 diffuse = texelFetch(sample_diffuse, ivec2(gl_FragCoord.xy), 0);
     light.sky *= 1.0 - diffuse.a;
     light.rest = mix(light.rest, diffuse.rgb, diffuse.a);
     vec4 mirrored = texelFetch(sample_specular, ivec2(gl_FragCoord.xy), 0);
-    light.specular = mix(light.specular, mirrored.rgb, mirrored.a);
+    bool of_coat = mirrored.a > 1.5;
+    light.specular = mix(light.specular, mirrored.rgb, of_coat ? 0.0 : mirrored.a);
+    light.coat = of_coat ? mirrored.rgb : light.specular;
 #endif
     return light;
 }

@@ -43,57 +43,35 @@ struct ShadePoint {
     vec3 dielectric_f0;
     float specular;
 #endif
+#if FACET_CLEARCOAT
+    vec3 coat_normal;
+    float coat;
+    float coat_roughness;
+#endif
 };
+#if FACET_CLEARCOAT
+#include "frame/lighting/coat.glsl"
+#endif
 
 // A tile is this many pixels wide and high; frame/lighting/light_lists.h has the same number.
 const uint TILE_PX = 16u;
 
 #if FACET_LIGHT_PATHS
-// Light apart by the way it took: rows of tables/aovs.def. shade() fills it beside the sum.
-struct LightPaths {
-    vec3 diffuse_direct;
-    vec3 diffuse_indirect;
-    vec3 specular_direct;
-    vec3 specular_indirect;
-    vec3 emission;
-    vec3 background;  // no surface's
-};
-LightPaths paths = LightPaths(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
-
-// What an unlit surface shows counts as emitted.
-void add_emission(vec3 base_color, float unlit, vec3 emissive_nit) {
-    float lit = 1.0 - unlit;
-    paths.diffuse_direct *= lit;
-    paths.diffuse_indirect *= lit;
-    paths.specular_direct *= lit;
-    paths.specular_indirect *= lit;
-    paths.emission = base_color * unlit + emissive_nit;
-}
+#include "frame/lighting/light_paths.glsl"
 #endif
 
-vec3 irradiance_over_pi(vec3 n) { return textureLod(irradiance_cube, n, 0.0).rgb * view.environment.y; }
+#include "frame/lighting/environment.glsl"
 
 #if FACET_LIGHT_PATHS
 bool is_environments = false;  // the light at hand is the environment's sun
 #endif
 
-// Where a probe sees what a surface mirrors, if that stands on the sides of the box (Lagarde & Zanuttini 2012, "Local
-// Image-Based Lighting with Parallax-Corrected Cubemaps"); the direction itself without a probe, or from outside.
-vec3 in_box(vec3 position_m, vec3 direction) {
-    bool inside = all(greaterThan(position_m, view.box_low.xyz - 1e-3)) && all(lessThan(position_m, view.box_high.xyz + 1e-3));
-    if (view.box_low.w < 0.5 || !inside) return direction;
-    vec3 safe = mix(direction, vec3(1e-6), lessThan(abs(direction), vec3(1e-6)));
-    vec3 way = max((view.box_low.xyz - position_m) / safe, (view.box_high.xyz - position_m) / safe);
-    float distance_m = max(min(way.x, min(way.y, way.z)), 0.0);
-    return position_m + direction * distance_m - view.box_place.xyz;
-}
-
 #ifdef FACET_EXPLAIN
 float explain_distance_m = 0.0;  // to the light at hand; 0: infinitely far
 #endif
 
-// visible: share of the light that arrives; mirrored: 0 where the specular lobe does not show it.
-vec3 lit_by(ShadePoint p, BrdfView brdf, vec3 to_light, vec3 illuminance, float visible, float mirrored) {
+// visible: share of the light that arrives; has_size: mirrors show it.
+vec3 lit_by(ShadePoint p, BrdfView brdf, vec3 to_light, vec3 illuminance, float visible, bool has_size) {
     float n_dot_l = clamp(dot(p.normal, to_light), 0.0, 1.0);
     vec3 sum = p.to_eye + to_light;
     vec3 h = sum * inversesqrt(max(dot(sum, sum), 1e-12));
@@ -106,7 +84,11 @@ vec3 lit_by(ShadePoint p, BrdfView brdf, vec3 to_light, vec3 illuminance, float 
 #else
     BrdfValue f = brdf_light(brdf, n_dot_l, n_dot_h, v_dot_h, 1.0);
 #endif
+    float mirrored = has_size || p.roughness >= MIRROR_ROUGHNESS ? 1.0 : 0.0;
     f.specular *= mirrored;
+#if FACET_CLEARCOAT
+    f = coated(f, to_light, h, n_dot_l, v_dot_h, has_size);
+#endif
 #ifdef FACET_EXPLAIN
     BrdfTerms terms = brdf_terms(brdf, n_dot_l, n_dot_h, v_dot_h);
     float v = slot_masking(brdf.n_dot_v, n_dot_l, brdf.surface.roughness, brdf.surface.alpha);
@@ -193,7 +175,9 @@ vec3 shade(ShadePoint p) {
 #endif
     vec4 albedo = textureLod(albedo_table, albedo_coordinates(n_dot_v, surface.roughness), 0.0);
     BrdfView brdf = brdf_view(surface, n_dot_v, albedo);
-    float points_mirrored = p.roughness < MIRROR_ROUGHNESS ? 0.0 : 1.0;
+#if FACET_CLEARCOAT
+    coat = coat_point(p);
+#endif
 
     vec3 radiance = vec3(0.0);
 #ifdef FACET_EXPLAIN
@@ -204,12 +188,22 @@ vec3 shade(ShadePoint p) {
     explained.base_color.rgb = p.base_color;
     explained.numbers = vec4(p.metallic, p.roughness, p.ao, surface.roughness);
     BrdfValue balance = brdf_environment(brdf);
+#if FACET_CLEARCOAT
+    balance = below_coat(coat.brdf, balance);
+    balance.specular += coat.brdf.albedo;
+#endif
     explained.environment_diffuse = vec4(balance.diffuse, 0.0);
     explained.environment_specular = vec4(balance.specular, 0.0);
 #endif
 #if FACET_INDIRECT
     BrdfValue w = brdf_environment(brdf);
     IndirectLight found = indirect_light(p.position_m, p.normal);
+#if FACET_CLEARCOAT
+    w = below_coat(coat.brdf, w);
+    found.specular *= w.specular;
+    w.specular += coat.brdf.albedo;
+    found.specular = (found.specular + coat.brdf.albedo * found.coat) / w.specular;
+#endif
     vec3 arriving = found.rest;
 #if FACET_ENVIRONMENT
     arriving += irradiance_over_pi(p.normal) * found.sky;
@@ -226,16 +220,17 @@ vec3 shade(ShadePoint p) {
 #endif
 #elif FACET_ENVIRONMENT
     BrdfValue w = brdf_environment(brdf);
-    vec3 mirrored = reflect(-p.to_eye, p.normal);
-    float level = p.roughness * view.environment.x;
-    vec3 prefiltered = textureLod(radiance_cube, in_box(p.position_m, mirrored), level).rgb * view.environment.y;
+    vec3 prefiltered = mirrored_environment(p, p.normal, p.roughness, w);
+#if FACET_CLEARCOAT
+    vec3 on_coat = mirrored_environment(p, p.coat_normal, p.coat_roughness, w) * coat.brdf.albedo;
+    w = below_coat(coat.brdf, w);
+    on_coat += w.specular * prefiltered;
+    w.specular += coat.brdf.albedo;
+    prefiltered = on_coat / max(w.specular, vec3(1e-20));
+#endif
 #if FACET_OCCLUSION
     vec4 occlusion = texelFetch(ambient_occlusion, ivec2(gl_FragCoord.xy), 0);
-    float open = min(occlusion.w, p.ao);
-    vec3 irradiance = irradiance_over_pi(occlusion.xyz) * with_bounces(open, w.diffuse);
-    // What stands in the mirror's way is taken to be of the surface's own kind, and lit from this side.
-    vec3 in_the_way = irradiance_over_pi(-mirrored) * (w.diffuse + w.specular);
-    prefiltered = mix(in_the_way, prefiltered, specular_visible(vec4(occlusion.xyz, open), p.normal, mirrored, p.roughness));
+    vec3 irradiance = irradiance_over_pi(occlusion.xyz) * with_bounces(min(occlusion.w, p.ao), w.diffuse);
     float ao = 1.0;
 #else
     vec3 irradiance = irradiance_over_pi(p.normal);
@@ -245,7 +240,7 @@ vec3 shade(ShadePoint p) {
 #ifdef FACET_EXPLAIN
     explained.numbers.z = ao;
     explained.irradiance = vec4(irradiance, 0.0);
-    explained.prefiltered = vec4(prefiltered, level);
+    explained.prefiltered = vec4(prefiltered, p.roughness * view.environment.x);
 #endif
 #if FACET_LIGHT_PATHS
     paths.diffuse_indirect = w.diffuse * irradiance * ao;
@@ -264,7 +259,7 @@ vec3 shade(ShadePoint p) {
         explain_light = i;
 #endif
         radiance += lit_by(p, brdf, -direction, light_directional(intensity_lux), light_visible(i, int(i), p, direction),
-                           is_sun ? 1.0 : points_mirrored);
+                           is_sun);
     }
 #if FACET_LOCAL_LIGHTS
 #if FACET_LIGHT_PATHS
@@ -286,12 +281,17 @@ vec3 shade(ShadePoint p) {
 #endif
         radiance += lit_by(p, brdf, light.way, illuminance,
                            light_visible(view.light_counts.x + i - list.x, light.texel / LIGHT_TEXELS, p, p.position_m - light.place.xyz),
-                           points_mirrored);
+                           false);
         i = next_light(i + 1u, end, p.position_m);
     }
 #if FACET_AREA_LIGHTS
-    AreaView area_point = area_view(p, n_dot_v);
+    AreaView area_point = area_view(p.to_eye, p.normal, p.roughness, n_dot_v);
     BrdfValue area_weight = brdf_environment(brdf);
+#if FACET_CLEARCOAT
+    area_weight = below_coat(coat.brdf, area_weight);
+    AreaView coat_area = area_view(p.to_eye, p.coat_normal, p.coat_roughness, coat.brdf.n_dot_v);
+    BrdfValue coat_weight = BrdfValue(vec3(0.0), vec3(coat.brdf.albedo));
+#endif
     uint area_end = end + (list.y >> 16u);
     i = next_light(end, area_end, p.position_m);
     while (i < area_end) {
@@ -304,6 +304,9 @@ vec3 shade(ShadePoint p) {
         nit *= light_visible(0u, light.texel / LIGHT_TEXELS, p, p.position_m - light.place.xyz);
 #endif
         radiance += lit_by_area(area_point, area_weight, area, nit);
+#if FACET_CLEARCOAT
+        radiance += lit_by_area(coat_area, coat_weight, area, nit);
+#endif
         i = next_light(i + 1u, area_end, p.position_m);
     }
 #endif

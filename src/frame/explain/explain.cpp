@@ -13,7 +13,7 @@ using shared::ExplainedLight;
 using shared::ExplainedSurface;
 
 /// As glsl/frame/explain/explain.glsl has them.
-enum class Stage : std::uint32_t { gbuffer, lighting, blend, background };
+enum class Stage : std::uint32_t { gbuffer, lighting, blend, background, layers };
 constexpr std::uint32_t most_surfaces = 1U << 20;
 constexpr std::uint32_t most_lights = 1U << 22;
 
@@ -148,6 +148,7 @@ base::Result<std::vector<ExplainedPixel>> Explainer::draw(const gl::Context& gl,
         const ExplainedSurface* fetched = nullptr;
         std::optional<std::size_t> lit;
         std::vector<std::size_t> blended;
+        std::vector<std::size_t> layered;
         const ExplainedSurface* background = nullptr;
     };
     std::vector<Found> found(pixels.size());
@@ -157,6 +158,7 @@ base::Result<std::vector<ExplainedPixel>> Explainer::draw(const gl::Context& gl,
         if (stage_of(s) == Stage::lighting) at.lit = i;
         if (stage_of(s) == Stage::background) at.background = &s;
         if (stage_of(s) == Stage::blend) at.blended.push_back(i);
+        if (stage_of(s) == Stage::layers) at.layered.push_back(i);
         if (stage_of(s) == Stage::gbuffer &&
             (at.fetched == nullptr || is_nearer(s, *at.fetched, ranks)))
             at.fetched = &s;
@@ -176,6 +178,11 @@ base::Result<std::vector<ExplainedPixel>> Explainer::draw(const gl::Context& gl,
             depth = at.fetched->position.w;
             pixel.opaque =
                 point_of(records->lights, *at.lit, joined(*at.fetched, records->surfaces[*at.lit]));
+            for (const std::size_t k : at.layered) {  // what is seen of them was shaded anew
+                const ExplainedSurface& s = records->surfaces[k];
+                if (s.which.z == at.fetched->which.z && s.which.w == at.fetched->which.w)
+                    pixel.opaque = point_of(records->lights, k, s);
+            }
         } else if (at.background != nullptr) {
             pixel.background_nit = math::Vec3(at.background->radiance);
         }

@@ -56,7 +56,7 @@ void clear(const gl::Context& gl, const GBuffer& gbuffer) {
 base::Result<gl::Program> GBufferPass::make(const gl::Context& gl, const Key& key) const {
     const GBufferSpec spec{.emissive = key.emissive, .specular = key.specular, .ids = key.ids};
     const std::string text =
-        defines(key.material) + define("BLEND", false) + define("EMISSIVE_TARGET", key.emissive) +
+        defines(key.material) + define("FORWARD", false) + define("EMISSIVE_TARGET", key.emissive) +
         define("SPECULAR_TARGET", key.specular) +
         fmt::format("#define FACET_SPECULAR_LOCATION {}\n", spec.specular_place()) +
         define("ID_TARGET", key.ids) + define("TRIANGLE_TARGET", key.triangles) +

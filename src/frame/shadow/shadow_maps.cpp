@@ -64,7 +64,7 @@ base::Status ShadowPass::draw(const gl::Context& gl, const GpuScene& scene,
                 auto made =
                     gl::build_program(gl, *sources_,
                                       {"frame/gbuffer/gbuffer.vert", "frame/shadow/shadow.frag",
-                                       defines(k) + define("BLEND", false)});
+                                       defines(k) + define("FORWARD", false)});
                 if (!made) return made;
                 gl::bind_block(gl, *made, "ViewBlock", view_binding);
                 gl::bind_block(gl, *made, "DrawBlock", draw_binding);

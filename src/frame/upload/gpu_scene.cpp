@@ -50,6 +50,8 @@ shared::Draw block_of(const scene::Instance& instance, const scene::Material& ma
     block.metallic_roughness_normal_ao = {v.metallic, v.roughness, v.normal_scale, v.ao_strength};
     block.emissive_nit_cutoff = Vec4(v.emissive * v.emissive_strength, v.alpha_cutoff);
     block.dielectric_f0_specular = Vec4(scene::dielectric_f0(v), v.specular);
+    block.coat = {v.clearcoat, v.clearcoat_roughness, v.clearcoat_normal_scale, 0.0F};
+    static_assert(sizeof(block.uv_rows) == 2 * sizeof(Vec4) * tables::material_textures.size());
     for (std::size_t slot = 0; slot < material.textures.size(); ++slot) {
         const scene::Texture texture = material.textures[slot].value_or(scene::Texture{});
         const Mat3 rows = math::transpose(texture.uv_from_uv);
@@ -80,6 +82,7 @@ public:
         draw.center_m = Vec3(instance.world_from_object * Vec4(mesh.bounds_m.center(), 1.0F));
         draw.instance = index;
         draw.blended = material.alpha_mode == scene::AlphaMode::blend;
+        draw.layered = !draw.blended && draw.key.clearcoat;
         draw.double_sided = material.double_sided;
         for (std::size_t slot = 0; slot < material.textures.size(); ++slot)
             if (material.textures[slot])

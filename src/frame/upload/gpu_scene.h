@@ -34,6 +34,7 @@ struct Draw {
     std::uint32_t instance = 0;    ///< of the scene
     math::Vec3 center_m{0.0F};     ///< of its bounds, world space: the order of drawing
     bool blended = false;
+    bool layered = false;  ///< opaque, of more than the G-buffer holds
     bool double_sided = false;
 };
 

@@ -3,6 +3,7 @@
 #include "frame/upload/material_key.h"
 
 #include "scene/dielectric.h"
+#include "scene/layers.h"
 
 #include <spdlog/fmt/fmt.h>
 
@@ -42,6 +43,13 @@ MaterialKey material_key(const scene::Scene& scene, const scene::Material& mater
     key.specular_texture = used(TextureSlot::specular_texture) != nullptr;
     key.specular_color_texture = used(TextureSlot::specular_color_texture) != nullptr;
     key.glossiness = key.specular_color_texture && material.has_glossiness;
+    key.clearcoat = scene::has_clearcoat(material);
+    if (key.clearcoat) {
+        key.clearcoat_texture = used(TextureSlot::clearcoat_texture) != nullptr;
+        key.clearcoat_roughness_texture = used(TextureSlot::clearcoat_roughness_texture) != nullptr;
+        key.clearcoat_normal_map =
+            used(TextureSlot::clearcoat_normal_texture) != nullptr && !mesh.tangents.empty();
+    }
     key.vertex_color = !mesh.colors.empty();
     key.alpha_mask = material.alpha_mode == scene::AlphaMode::mask;
     for (const auto& texture : material.textures)
@@ -62,8 +70,13 @@ std::string defines(const MaterialKey& key) {
            define("EMISSIVE_TEXTURE", key.emissive_texture) + define("SPECULAR", key.specular) +
            define("SPECULAR_TEXTURE", key.specular_texture) +
            define("SPECULAR_COLOR_TEXTURE", key.specular_color_texture) +
-           define("GLOSSINESS", key.glossiness) + define("VERTEX_COLOR", key.vertex_color) +
-           define("UV_GENERAL", key.uv_general) + define("ALPHA_MASK", key.alpha_mask);
+           define("GLOSSINESS", key.glossiness) + define("CLEARCOAT", key.clearcoat) +
+           define("CLEARCOAT_TEXTURE", key.clearcoat_texture) +
+           define("CLEARCOAT_ROUGHNESS_TEXTURE", key.clearcoat_roughness_texture) +
+           define("CLEARCOAT_NORMAL_MAP", key.clearcoat_normal_map) +
+           define("TANGENTS", key.normal_map || key.clearcoat_normal_map) +
+           define("VERTEX_COLOR", key.vertex_color) + define("UV_GENERAL", key.uv_general) +
+           define("ALPHA_MASK", key.alpha_mask);
 }
 
 }  // namespace facet::frame

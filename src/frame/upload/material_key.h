@@ -21,6 +21,10 @@ struct MaterialKey {
     bool specular_texture = false;
     bool specular_color_texture = false;
     bool glossiness = false;  ///< in the alpha of specular_color_texture
+    bool clearcoat = false;
+    bool clearcoat_texture = false;
+    bool clearcoat_roughness_texture = false;
+    bool clearcoat_normal_map = false;
     bool vertex_color = false;
     bool uv_general = false;  ///< a UV transform, or the second set
     bool alpha_mask = false;

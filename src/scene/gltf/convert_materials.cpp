@@ -204,10 +204,12 @@ void convert_materials(Import& import) {
 }
 
 void drop_missing_normal_maps(Scene& scene) {
-    for (Material& material : scene.materials) {
-        auto& map = material.textures[static_cast<std::size_t>(TextureSlot::normal_texture)];
-        if (map && scene.images[map->image.index].pixels == nullptr) map = std::nullopt;
-    }
+    for (Material& material : scene.materials)
+        for (const TextureSlot slot :
+             {TextureSlot::normal_texture, TextureSlot::clearcoat_normal_texture}) {
+            auto& map = material.textures[static_cast<std::size_t>(slot)];
+            if (map && scene.images[map->image.index].pixels == nullptr) map = std::nullopt;
+        }
 }
 
 MaterialId default_material(Import& import) {

@@ -10,9 +10,10 @@ namespace {
 
 constexpr auto implemented = std::to_array<std::string_view>(
     {"EXT_mesh_gpu_instancing", "EXT_texture_webp", "KHR_lights_punctual",
-     "KHR_materials_emissive_strength", "KHR_materials_ior", "KHR_materials_pbrSpecularGlossiness",
-     "KHR_materials_specular", "KHR_materials_unlit", "KHR_materials_variants",
-     "KHR_mesh_quantization", "KHR_node_visibility", "KHR_texture_transform"});
+     "KHR_materials_clearcoat", "KHR_materials_emissive_strength", "KHR_materials_ior",
+     "KHR_materials_pbrSpecularGlossiness", "KHR_materials_specular", "KHR_materials_unlit",
+     "KHR_materials_variants", "KHR_mesh_quantization", "KHR_node_visibility",
+     "KHR_texture_transform"});
 
 struct Loss {
     std::string_view extension;
@@ -26,7 +27,6 @@ constexpr auto losses = std::to_array<Loss>(
      {"EXT_texture_avif", "the textures, which are AVIF"},
      {"MSFT_texture_dds", "the textures, which are DDS"},
      {"KHR_materials_anisotropy", "anisotropic highlights"},
-     {"KHR_materials_clearcoat", "the clear coat"},
      {"KHR_materials_dispersion", "dispersion"},
      {"KHR_materials_iridescence", "iridescence"},
      {"KHR_materials_sheen", "the sheen"},

@@ -59,8 +59,9 @@ void complete_normals(Import& import, const std::string& where, Mesh& mesh) {
 
 /// Tangents only where the material has a normal map: given ones, else those of MikkTSpace.
 void complete_tangents(const Import& import, Mesh& mesh) {
-    const auto& map =
-        import.scene.materials[mesh.material.index].texture(tables::TextureSlot::normal_texture);
+    const Material& material = import.scene.materials[mesh.material.index];
+    const auto& base = material.texture(tables::TextureSlot::normal_texture);
+    const auto& map = base ? base : material.texture(tables::TextureSlot::clearcoat_normal_texture);
     if (!map) {
         mesh.tangents.clear();
         return;
