@@ -217,6 +217,30 @@ TEST(ModelLaws, AWhiteDielectricOfAnyIndexAndStrengthLosesNothing) {
                 }
 }
 
+TEST(ModelLaws, ACoatOverAWhiteSurfaceLosesNothing) {
+    Lobe lobe;
+    for (const double coat_roughness : {0.5, 1.0})  // as above: narrower lobes need a finer rule
+        for (const double strength : {0.4, 1.0})
+            for (const double n_dot_v : {0.1, 0.5, 1.0}) {
+                const auto view = view_of(lobe, Color(1.0), 0.5, 0.7, 0.04, n_dot_v);
+                const auto e = exact_albedo({}, n_dot_v, coat_roughness);
+                const auto coat = lobe.brdf_coat(strength, coat_roughness, n_dot_v, e.x, e.y);
+                const auto below = lobe.below_coat(coat, lobe.brdf_environment(view));
+                EXPECT_NEAR(below.diffuse.x + below.specular.x + coat.albedo, 1.0, 1e-9);
+                double reflected = 0.0;  // by the coat, summed over lights
+                constexpr int side = 160;
+                for (int i = 0; i < side; ++i)
+                    for (int j = 0; j < side; ++j) {
+                        const double n_dot_l = (i + 0.5) / side;
+                        const PairOfDirections at(n_dot_v, n_dot_l, (j + 0.5) * 180 / side);
+                        reflected +=
+                            lobe.coat_light(coat, at.n_dot_l, at.n_dot_h, at.v_dot_h) * n_dot_l;
+                    }
+                EXPECT_NEAR(reflected * 2 * test::pi / (side * side), coat.albedo, 2e-3)
+                    << "roughness " << coat_roughness << " n.v " << n_dot_v;
+            }
+}
+
 TEST(ModelLaws, IsReciprocalWhereItClaimsToBe) {
     for (const auto multiscatter : {Multiscatter::off, Multiscatter::kulla_conty}) {
         Lobe lobe{{.multiscatter = multiscatter}};
