@@ -7,6 +7,7 @@ const real PI = 3.14159265358979323846;
 const real DIVISOR_MIN = 1e-7;        // keeps 0/0 out; far below any divisor that matters
 const real DIELECTRIC_F0 = 0.04;      // common dielectrics (index 1.5) at normal incidence
 const real ALBEDO_TABLE_SIZE = 48.0;  // texels a side, brdf/albedo.h
+const real SHEEN_ROUGHNESS_MIN = 0.07;  // below it powers of d_charlie overflow
 const real LOBE_SHARE_MIN = 0.1;      // of the samples, for a lobe that reflects anything at all
 real sqr(real x) { return x * x; }
 real safe_sqrt(real x) { return sqrt(max(x, 0.0)); }

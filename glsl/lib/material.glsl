@@ -17,6 +17,10 @@ struct Surface {
     float coat;
     float coat_roughness;
 #endif
+#if FACET_SHEEN
+    vec3 sheen_color;
+    float sheen_roughness;
+#endif
 };
 
 in vec3 vertex_normal;
@@ -41,6 +45,8 @@ uniform sampler2D specular_color_texture;
 uniform sampler2D clearcoat_texture;
 uniform sampler2D clearcoat_roughness_texture;
 uniform sampler2D clearcoat_normal_texture;
+uniform sampler2D sheen_color_texture;
+uniform sampler2D sheen_roughness_texture;
 
 vec2 slot_uv(int slot) {
 #if FACET_UV_GENERAL
@@ -184,6 +190,16 @@ Surface fetch_surface() {
     s.normal = shading_normal();
 #if FACET_CLEARCOAT
     fetch_coat(s);
+#endif
+#if FACET_SHEEN
+    s.sheen_color = draw.sheen.rgb;
+    s.sheen_roughness = draw.sheen.a;
+#if FACET_SHEEN_COLOR_TEXTURE
+    s.sheen_color *= texture(sheen_color_texture, slot_uv(10)).rgb;
+#endif
+#if FACET_SHEEN_ROUGHNESS_TEXTURE
+    s.sheen_roughness *= texture(sheen_roughness_texture, slot_uv(11)).a;
+#endif
 #endif
     return s;
 }

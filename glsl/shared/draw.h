@@ -8,6 +8,7 @@ struct Draw {
     vec4 emissive_nit_cutoff;           // rgb: radiance in nit; w: alpha cutoff
     vec4 dielectric_f0_specular;        // before their textures; F0 is not clamped
     vec4 coat;                          // strength, roughness, normal scale, unused
-    vec4 uv_rows[20];  // two a texture slot: u' = dot(row.xyz, (u, v, 1)), w: UV set
+    vec4 sheen;                         // rgb, roughness
+    vec4 uv_rows[24];  // two a texture slot: u' = dot(row.xyz, (u, v, 1)), w: UV set
     uvec4 ids;         // object, material, 1 where unlit, index of the draw
 };

@@ -50,6 +50,10 @@ std::string assembled(bool needs_e_l, const std::string& terms, Parts parts) {
     std::string text = fmt::format(
         "#define FACET_BRDF_NEEDS_E_L {}\n#include \"brdf/prelude.glsl\"\n", needs_e_l ? 1 : 0);
     text += terms;
+    for (const char* term : {"d_charlie", "lambda_charlie", "v_charlie"}) {  // what layers are of
+        const std::string line = fmt::format("#include \"brdf/{}.glsl\"\n", term);
+        if (terms.find(line) == std::string::npos) text += line;
+    }
     for (const char* part :
          {"albedo_coordinates", "brdf_types", "conserving", "cook_torrance", "model", "layers"})
         text += fmt::format("#include \"brdf/model/{}.glsl\"\n", part);

@@ -11,6 +11,7 @@ static constexpr real PI = real(3.14159265358979323846);
 static constexpr real DIVISOR_MIN = real(1e-7);
 static constexpr real DIELECTRIC_F0 = real(0.04);
 static constexpr real ALBEDO_TABLE_SIZE = real(48);
+static constexpr real SHEEN_ROUGHNESS_MIN = real(0.07);
 static constexpr real LOBE_SHARE_MIN = real(0.1);
 
 static real sqr(real x) { return x * x; }

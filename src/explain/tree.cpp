@@ -157,6 +157,12 @@ private:
                 node.add(t("normal_map"),
                          fmt::format("{}   × {}", numbers(s.normal_texel), one(v.normal_scale)));
         }
+        if (s.coat.x > 0.0F)
+            node.add(t("coat"), fmt::format("{}, {} {}, {} {}", one(s.coat.x), t("roughness"),
+                                            one(s.coat.y), t("reflected"), one(s.coat.z)));
+        if (math::Vec3(s.sheen) != math::Vec3(0.0F))
+            node.add(t("sheen"), fmt::format("{} {}, {} {}", t("reflected"), numbers(s.sheen),
+                                             t("roughness"), one(s.sheen.w)));
         if (v.emissive != math::Vec3(0.0F))
             node.add(t("emission"), numbers(s.emissive_nit) + " nit");
     }

@@ -1,4 +1,4 @@
-// What a material has over its base: KHR_materials_clearcoat.
+// What a material has over its base: KHR_materials_clearcoat and KHR_materials_sheen.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -6,9 +6,14 @@
 
 namespace facet::scene {
 
-/// Whether there is any lacquer.
 [[nodiscard]] inline bool has_clearcoat(const Material& material) {
     return material.values.clearcoat > 0.0F;
+}
+[[nodiscard]] inline bool has_sheen(const Material& material) {
+    return material.values.sheen_color != Vec3(0.0F);
+}
+[[nodiscard]] inline bool has_layers(const Material& material) {
+    return has_clearcoat(material) || has_sheen(material);
 }
 
 }  // namespace facet::scene

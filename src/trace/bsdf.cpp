@@ -3,6 +3,7 @@
 #include "trace/bsdf.h"
 
 #include "brdf/light_terms.h"
+#include "brdf/sheen.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,6 +48,23 @@ Lobes::real4 Model::albedo(float n_dot_v, float roughness) const {
            (texel(row + 1, column) * (1.0F - across) + texel(row + 1, column + 1) * across) * down;
 }
 
+float Model::sheen_albedo(float n_dot_v, float roughness) {
+    const Vec2 size(brdf::sheen_columns, brdf::sheen_rows);
+    Lobes terms;
+    const Vec2 at = terms.sheen_coordinates(n_dot_v, roughness, size) * size - 0.5F;
+    const float x = std::clamp(at.x, 0.0F, size.x - 1.001F);
+    const float y = std::clamp(at.y, 0.0F, size.y - 1.001F);
+    const auto column = static_cast<std::size_t>(x);
+    const auto row = static_cast<std::size_t>(y);
+    const float across = x - static_cast<float>(column);
+    const float down = y - static_cast<float>(row);
+    const auto mixed = [&](std::size_t r) {
+        return brdf::sheen_charlie[r][column] * (1.0F - across) +
+               brdf::sheen_charlie[r][column + 1] * across;
+    };
+    return mixed(row) * (1.0F - down) + mixed(row + 1) * down;
+}
+
 LobeFrame::LobeFrame(const Vec3& axis)
     : x(brdf::LightTerms<float>{}.across(axis)), y(math::cross(axis, x)), z(axis) {}
 
@@ -74,7 +92,30 @@ Bsdf::Bsdf(const Model& model, const Surface& surface, const Vec3& to_eye, Draws
     sampler_ = terms.brdf_sampler(view_, {local.x, local.y, n_dot_v});
     if (draws == Draws::specular) sampler_.specular = 1.0F;
     is_mirror_ = view_.surface.alpha < mirror_alpha_max;
+    if (surface.sheen_color != Vec3(0.0F)) set_sheen(surface, draws);
     if (surface.coat > 0.0F) set_coat(surface, draws);
+}
+
+void Bsdf::set_sheen(const Surface& surface, Draws draws) {
+    has_sheen_ = true;
+    Lobes terms = model_->environment;
+    sheen_ = terms.brdf_sheen(surface.sheen_color, surface.sheen_roughness,
+                              Model::sheen_albedo(view_.n_dot_v, surface.sheen_roughness));
+    if (draws != Draws::both) return;
+    // A metal that had none has a diffuse lobe now.
+    const Lobes::BrdfValue weight = weight_below();
+    const Vec3 all = weight.specular + weight.diffuse;
+    const float share = (weight.specular.x + weight.specular.y + weight.specular.z) /
+                        std::max(all.x + all.y + all.z, 1e-20F);
+    sampler_.specular = std::clamp(share, Lobes::LOBE_SHARE_MIN, 1.0F - Lobes::LOBE_SHARE_MIN);
+}
+
+Lobes::BrdfValue Bsdf::weight_below() const {
+    Lobes terms = model_->environment;
+    if (is_coat_alone_) return {};
+    Lobes::BrdfValue weight = terms.brdf_environment(view_);
+    if (has_sheen_) weight = terms.below_sheen(sheen_, weight, sheen_.albedo);
+    return is_coated_ ? terms.below_coat(coat_, weight) : weight;
 }
 
 void Bsdf::set_coat(const Surface& surface, Draws draws) {
@@ -88,7 +129,7 @@ void Bsdf::set_coat(const Surface& surface, Draws draws) {
     const Lobes::real4 albedo = model_->albedo(n_dot_v, surface.coat_roughness);
     coat_ = terms.brdf_coat(surface.coat, surface.coat_roughness, n_dot_v, albedo.x, albedo.y);
     is_coat_mirror_ = coat_.alpha < mirror_alpha_max;
-    const Lobes::BrdfValue base = terms.below_coat(coat_, terms.brdf_environment(view_));
+    const Lobes::BrdfValue base = weight_below();
     Vec3 others = base.specular;
     if (draws == Draws::both) others += base.diffuse;
     const float share = 3.0F * coat_.albedo /
@@ -106,6 +147,9 @@ Lobes::BrdfValue Bsdf::values(Lobes terms, const Cosines& at) const {
     }
     Lobes::BrdfValue value = terms.brdf_light(view_, at.n_dot_l, at.n_dot_h, at.v_dot_h, e_l);
     if (is_mirror_) value.specular = Vec3(0.0F);
+    if (has_sheen_)
+        value = terms.below_sheen(sheen_, value,
+                                  terms.sheen_light(sheen_, view_.n_dot_v, at.n_dot_l, at.n_dot_h));
     if (!is_coated_) return value;
     value = is_coat_alone_ ? Lobes::BrdfValue{} : terms.below_coat(coat_, value);
     if (!is_coat_mirror_ && at.coat_n_dot_l > 0.0F)
@@ -182,11 +226,8 @@ Bsdf::DiffuseShares Bsdf::diffuse_shares(const Vec3& to_light) const {
 }
 
 Lobes::BrdfValue Bsdf::environment_weight() const {
-    Lobes terms = model_->environment;
-    Lobes::BrdfValue weight = terms.brdf_environment(view_);
-    if (!is_coated_) return weight;
-    weight = is_coat_alone_ ? Lobes::BrdfValue{} : terms.below_coat(coat_, weight);
-    weight.specular += Vec3(coat_.albedo);
+    Lobes::BrdfValue weight = weight_below();
+    if (is_coated_) weight.specular += Vec3(coat_.albedo);
     return weight;
 }
 
@@ -215,7 +256,8 @@ Bsdf::Sample Bsdf::sample(Vec2 u, float lobe) const {
     } else {
         const float of_base = (lobe - coat_share_) / others;
         if (is_mirror_ && of_base < sampler_.specular) {
-            const Vec3 below(is_coated_ ? 1.0F - coat_.albedo : 1.0F);
+            const Vec3 below((is_coated_ ? 1.0F - coat_.albedo : 1.0F) *
+                             (has_sheen_ ? sheen_.left : 1.0F));
             return mirrored(frame_.z,
                             terms.brdf_mirror(view_) * below / (sampler_.specular * others));
         }

@@ -21,6 +21,9 @@ struct Model {
 
     Lobes lights;
     Lobes environment;
+    /// Albedo of sheen of colour 1.
+    [[nodiscard]] static float sheen_albedo(float n_dot_v, float roughness);
+
     brdf::AlbedoTable table;
     bool one_masking = true;  ///< lights and environment are masked alike
     bool needs_e_l = false;
@@ -93,7 +96,10 @@ private:
     /// Of all layers; a mirror's lobe is not in it.
     [[nodiscard]] Lobes::BrdfValue values(Lobes terms, const Cosines& at) const;
     [[nodiscard]] float pdf(const Cosines& at) const;
+    void set_sheen(const Surface& surface, Draws draws);
     void set_coat(const Surface& surface, Draws draws);
+    /// Weights of the environment, but the coat's own.
+    [[nodiscard]] Lobes::BrdfValue weight_below() const;
     /// No lobe of sample() has a width.
     [[nodiscard]] bool has_mirrors_alone() const {
         return (is_mirror_ || is_coat_alone_) && (!is_coated_ || is_coat_mirror_);
@@ -108,6 +114,8 @@ private:
     LobeFrame frame_;
     bool is_mirror_;
     bool is_white_;
+    bool has_sheen_ = false;
+    Lobes::BrdfSheen sheen_{};
     bool is_coated_ = false;
     bool is_coat_mirror_ = false;
     bool is_coat_alone_ = false;

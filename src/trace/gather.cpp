@@ -58,6 +58,7 @@ private:
         std::uint32_t x = 0;  ///< pixel
         std::uint32_t y = 0;
         std::uint32_t count = 0;  ///< paths drawn
+        bool is_lambertian = true;
         float diffuse_weight = 0.0F;
         float specular_weight = 0.0F;
         GatheredMeans sum;
@@ -110,6 +111,7 @@ private:
         Place& place = places_[at];
         if (!pixel_of(x, y, place.x, place.y)) return;
         const Surface surface = surface_of(place);
+        place.is_lambertian = surface.sheen_color == Vec3(0.0F);
         points_[at] = {.position_m = surface.position_m,
                        .normal = surface.normal,
                        .spacing_m = seen_.pixel_width_at(surface.position_m) *
@@ -337,8 +339,11 @@ private:
             out.intricate[i] = helpers[i].diffuse < few_helpers ? 1 : 0;
             if (!points_[i].is_surface) continue;
             const GatheredMeans& mean = means_[i];
-            out.sky[i] = Vec4(visible_share(mean.sky, mean.open), mean.has_diffuse);
-            out.rest[i] = Vec4(mean.rest, 0.0F);
+            // The baked irradiance is of a cosine: fibres see another mean, which the paths know.
+            const bool is_baked = places_[i].is_lambertian;
+            out.sky[i] =
+                Vec4(is_baked ? visible_share(mean.sky, mean.open) : Vec3(0.0F), mean.has_diffuse);
+            out.rest[i] = Vec4(is_baked ? mean.rest : mean.rest + mean.sky, 0.0F);
             out.specular[i] = Vec4(mean.specular, 0.0F);
             out.guide[i] = Vec4(points_[i].position_m, packed_normal(points_[i].normal));
         }

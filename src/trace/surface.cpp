@@ -109,11 +109,9 @@ Vec3 mesh_normal(const Mat3& normal_from_object, const Point& point) {
 bool is_finite(const Vec3& v) { return std::isfinite(v.x + v.y + v.z); }
 
 /// glsl/lib/material.glsl's fetch_coat. After the sides.
-void fill_layers(const scene::Scene& scene, const Mat3& normal_from_object, const Point& point,
-                 Surface& s) {
-    const scene::Material& material = point.material;
-    const tables::MaterialValues& v = material.values;
-    if (!scene::has_clearcoat(material)) return;
+void fill_coat(const scene::Scene& scene, const Mat3& normal_from_object, const Point& point,
+               Surface& s) {
+    const tables::MaterialValues& v = point.material.values;
     s.coat = v.clearcoat;
     s.coat_roughness = v.clearcoat_roughness;
     if (point.has(TextureSlot::clearcoat_texture))
@@ -125,6 +123,19 @@ void fill_layers(const scene::Scene& scene, const Mat3& normal_from_object, cons
                                   TextureSlot::clearcoat_normal_texture, v.clearcoat_normal_scale) *
                     side;
     if (!is_finite(s.coat_normal)) s.coat_normal = s.face_normal;
+}
+
+void fill_layers(const scene::Scene& scene, const Mat3& normal_from_object, const Point& point,
+                 Surface& s) {
+    const tables::MaterialValues& v = point.material.values;
+    if (scene::has_clearcoat(point.material)) fill_coat(scene, normal_from_object, point, s);
+    if (!scene::has_sheen(point.material)) return;
+    s.sheen_color = v.sheen_color;
+    s.sheen_roughness = v.sheen_roughness;
+    if (point.has(TextureSlot::sheen_color_texture))
+        s.sheen_color *= Vec3(point(TextureSlot::sheen_color_texture));
+    if (point.has(TextureSlot::sheen_roughness_texture))
+        s.sheen_roughness *= point(TextureSlot::sheen_roughness_texture).w;
 }
 
 Vec4 base_color_opacity(const Point& point) {
@@ -270,7 +281,7 @@ Surface seen_surface(const scene::Scene& scene, const std::vector<InstanceFrame>
     s.specular = pixel.specular;
     const float length = math::length(normal);
     set_sides(s, normal / std::max(length, 1e-30F), from_eye.direction, frames[pixel.instance]);
-    if (scene::has_clearcoat(scene.material_of(scene.instances[pixel.instance]))) {
+    if (scene::has_layers(scene.material_of(scene.instances[pixel.instance]))) {
         const Hit hit{.instance = pixel.instance, .triangle = pixel.triangle, .u = u, .v = v};
         fill_layers(scene, frames[pixel.instance].normal_from_object, {scene, textures, hit}, s);
     }

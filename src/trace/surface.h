@@ -29,6 +29,8 @@ struct Surface {
     float coat = 0.0F;      ///< strength of the lacquer over it; without it the two below are unset
     float coat_roughness = 0.0F;
     math::Vec3 coat_normal{0.0F};
+    math::Vec3 sheen_color{0.0F};  ///< of the fibres over it; without them the one below is unset
+    float sheen_roughness = 0.0F;
     float ao = 1.0F;  ///< of the occlusion map; for AOVs, as rays find what is occluded
     math::Vec3 emissive_nit{0.0F};
     bool front = true;

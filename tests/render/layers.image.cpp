@@ -22,29 +22,53 @@ Request layered_ball(std::vector<std::string> edits) {
     return request;
 }
 
+struct Lit {
+    const char* light;
+    const char* env;
+};
+constexpr Lit every_light[] = {
+    {"", "studio"},
+    {"directional:azimuth=40,elevation=50,lux=3", "black"},
+    {"rect:position=1.6 2.6 2.2,target=0 0.5 0,nit=60,width=1,height=0.5", "black"}};
+
+double rmse(const Lit& by, const char* shadows, std::vector<std::string> edits) {
+    Request request = layered_ball(std::move(edits));
+    request.settings.env = by.env;
+    if (*by.light != '\0') request.settings.light = {by.light};
+    request.settings.shadows = shadows;
+    request.settings.reference = "128";
+    request.settings.compare = true;
+    return test::rmse_to_reference(request);
+}
+
 TEST(Clearcoat, IsAsTheReferenceHasItInEveryLight) {
-    struct Lit {
-        const char* light;
-        const char* env;
-    };
-    for (const Lit lit :
-         {Lit{"", "studio"}, Lit{"directional:azimuth=40,elevation=50,lux=3", "black"},
-          Lit{"rect:position=1.6 2.6 2.2,target=0 0.5 0,nit=60,width=1,height=0.5", "black"}})
-        for (const char* const roughness : {"0.03", "0.1", "0.4"})
-            for (const char* const shadows : {"traced", "off"}) {
-                Request request =
-                    layered_ball({"material.ball.clearcoat=1",
-                                  fmt::format("material.ball.clearcoat_roughness={}", roughness)});
-                request.settings.env = lit.env;
-                if (*lit.light != '\0') request.settings.light = {lit.light};
-                request.settings.shadows = shadows;
-                request.settings.reference = "128";
-                request.settings.compare = true;
-                // Without rays the environment is a split sum: 0.026 at roughness 0.4.
-                const double most = *shadows == 'o' ? 0.03 : 0.02;
-                EXPECT_LT(test::rmse_to_reference(request), most)
-                    << lit.env << ' ' << lit.light << " roughness " << roughness << ' ' << shadows;
-            }
+    for (const Lit& by : every_light)
+        for (const char* const roughness : {"0.03", "0.1", "0.4"}) {
+            const std::vector<std::string> edits{
+                "material.ball.clearcoat=1",
+                fmt::format("material.ball.clearcoat_roughness={}", roughness)};
+            EXPECT_LT(rmse(by, "traced", edits), 0.02) << by.env << by.light << ' ' << roughness;
+            // Without rays the environment is a split sum: 0.026 at roughness 0.4.
+            EXPECT_LT(rmse(by, "off", edits), 0.03) << by.env << by.light << ' ' << roughness;
+        }
+}
+
+TEST(Sheen, IsAsTheReferenceHasItInEveryLight) {
+    for (const Lit& by : every_light)
+        for (const char* const roughness : {"0.2", "0.5"}) {
+            const std::vector<std::string> edits{
+                "material.ball.sheen_color=0.8 0.8 0.9",
+                fmt::format("material.ball.sheen_roughness={}", roughness)};
+            EXPECT_LT(rmse(by, "traced", edits), 0.025) << by.env << by.light << ' ' << roughness;
+        }
+}
+
+TEST(Sheen, UnderACoatOnAMetalIsAsTheReferenceHasIt) {
+    const std::vector<std::string> edits{
+        "material.ball.sheen_color=0.1 0.7 0.3", "material.ball.sheen_roughness=0.4",
+        "material.ball.clearcoat=0.5", "material.ball.clearcoat_roughness=0.2"};
+    for (const Lit& by : every_light)
+        EXPECT_LT(rmse(by, "traced", edits), 0.025) << by.env << by.light;
 }
 
 }  // namespace

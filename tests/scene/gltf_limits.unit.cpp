@@ -95,7 +95,7 @@ TEST(GltfLimits, required_extensions_that_are_missing_are_named_with_what_is_los
 
 TEST(GltfLimits, extensions_used_and_not_known_are_one_warning_each) {
     Document d = triangle();
-    d.json["extensionsUsed"] = {"KHR_materials_sheen", "EXT_made_up"};
+    d.json["extensionsUsed"] = {"KHR_materials_iridescence", "EXT_made_up"};
     const auto loaded = load_document(d);
     ASSERT_TRUE(loaded);
     EXPECT_EQ(loaded->warnings.size(), 2U);

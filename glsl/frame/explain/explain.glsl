@@ -30,6 +30,8 @@ void explain_begin(uint stage, uint draw, uint primitive) {
     explained.position.w = gl_FragCoord.z;
     explained.irradiance = vec4(0.0);  // without an environment nothing says so
     explained.prefiltered = vec4(0.0);
+    explained.coat = vec4(0.0);
+    explained.sheen = vec4(0.0);
 }
 
 void explain_end() {

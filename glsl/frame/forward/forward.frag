@@ -40,15 +40,16 @@ void main() {
     p.coat = s.coat;
     p.coat_roughness = s.coat_roughness;
 #endif
+#if FACET_SHEEN
+    p.sheen_color = s.sheen_color;
+    p.sheen_roughness = s.sheen_roughness;
+#endif
 #ifdef FACET_EXPLAIN
     explain_begin(FACET_BLEND == 1 ? EXPLAIN_BLEND : EXPLAIN_LAYERS, draw.ids.w, uint(gl_PrimitiveID));
     explain_surface(s);
 #endif
     vec3 lit = shade(p);
-    vec3 emissive_nit = s.emissive_nit;
-#if FACET_CLEARCOAT
-    emissive_nit *= 1.0 - coat.brdf.albedo;
-#endif
+    vec3 emissive_nit = s.emissive_nit * (1.0 - coat_albedo());
 #if FACET_LIGHT_PATHS
     add_emission(s.base_color, float(draw.ids.z), emissive_nit);
     FACET_WRITE_PATHS(coverage)

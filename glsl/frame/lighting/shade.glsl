@@ -48,10 +48,12 @@ struct ShadePoint {
     float coat;
     float coat_roughness;
 #endif
-};
-#if FACET_CLEARCOAT
-#include "frame/lighting/coat.glsl"
+#if FACET_SHEEN
+    vec3 sheen_color;
+    float sheen_roughness;
 #endif
+};
+#include "frame/lighting/layers.glsl"
 
 // A tile is this many pixels wide and high; frame/lighting/light_lists.h has the same number.
 const uint TILE_PX = 16u;
@@ -86,9 +88,7 @@ vec3 lit_by(ShadePoint p, BrdfView brdf, vec3 to_light, vec3 illuminance, float 
 #endif
     float mirrored = has_size || p.roughness >= MIRROR_ROUGHNESS ? 1.0 : 0.0;
     f.specular *= mirrored;
-#if FACET_CLEARCOAT
-    f = coated(f, to_light, h, n_dot_l, v_dot_h, has_size);
-#endif
+    f = layered(f, to_light, h, brdf.n_dot_v, n_dot_l, n_dot_h, v_dot_h, has_size);
 #ifdef FACET_EXPLAIN
     BrdfTerms terms = brdf_terms(brdf, n_dot_l, n_dot_h, v_dot_h);
     float v = slot_masking(brdf.n_dot_v, n_dot_l, brdf.surface.roughness, brdf.surface.alpha);
@@ -175,9 +175,7 @@ vec3 shade(ShadePoint p) {
 #endif
     vec4 albedo = textureLod(albedo_table, albedo_coordinates(n_dot_v, surface.roughness), 0.0);
     BrdfView brdf = brdf_view(surface, n_dot_v, albedo);
-#if FACET_CLEARCOAT
-    coat = coat_point(p);
-#endif
+    set_layers(p, n_dot_v);
 
     vec3 radiance = vec3(0.0);
 #ifdef FACET_EXPLAIN
@@ -187,19 +185,15 @@ vec3 shade(ShadePoint p) {
     explained.albedo = albedo;
     explained.base_color.rgb = p.base_color;
     explained.numbers = vec4(p.metallic, p.roughness, p.ao, surface.roughness);
-    BrdfValue balance = brdf_environment(brdf);
-#if FACET_CLEARCOAT
-    balance = below_coat(coat.brdf, balance);
-    balance.specular += coat.brdf.albedo;
-#endif
+    BrdfValue balance = below_layers(brdf_environment(brdf));
+    balance.specular += coat_albedo();
     explained.environment_diffuse = vec4(balance.diffuse, 0.0);
     explained.environment_specular = vec4(balance.specular, 0.0);
 #endif
 #if FACET_INDIRECT
-    BrdfValue w = brdf_environment(brdf);
+    BrdfValue w = below_layers(brdf_environment(brdf));
     IndirectLight found = indirect_light(p.position_m, p.normal);
 #if FACET_CLEARCOAT
-    w = below_coat(coat.brdf, w);
     found.specular *= w.specular;
     w.specular += coat.brdf.albedo;
     found.specular = (found.specular + coat.brdf.albedo * found.coat) / w.specular;
@@ -219,11 +213,10 @@ vec3 shade(ShadePoint p) {
     paths.specular_indirect = w.specular * found.specular;
 #endif
 #elif FACET_ENVIRONMENT
-    BrdfValue w = brdf_environment(brdf);
+    BrdfValue w = below_layers(brdf_environment(brdf));
     vec3 prefiltered = mirrored_environment(p, p.normal, p.roughness, w);
 #if FACET_CLEARCOAT
     vec3 on_coat = mirrored_environment(p, p.coat_normal, p.coat_roughness, w) * coat.brdf.albedo;
-    w = below_coat(coat.brdf, w);
     on_coat += w.specular * prefiltered;
     w.specular += coat.brdf.albedo;
     prefiltered = on_coat / max(w.specular, vec3(1e-20));
@@ -286,9 +279,8 @@ vec3 shade(ShadePoint p) {
     }
 #if FACET_AREA_LIGHTS
     AreaView area_point = area_view(p.to_eye, p.normal, p.roughness, n_dot_v);
-    BrdfValue area_weight = brdf_environment(brdf);
+    BrdfValue area_weight = below_layers(brdf_environment(brdf));
 #if FACET_CLEARCOAT
-    area_weight = below_coat(coat.brdf, area_weight);
     AreaView coat_area = area_view(p.to_eye, p.coat_normal, p.coat_roughness, coat.brdf.n_dot_v);
     BrdfValue coat_weight = BrdfValue(vec3(0.0), vec3(coat.brdf.albedo));
 #endif

@@ -3,6 +3,7 @@
 #include "frame/lighting/lighting.h"
 
 #include "brdf/ltc.h"
+#include "brdf/sheen.h"
 
 #include <spdlog/fmt/fmt.h>
 
@@ -30,7 +31,8 @@ enum Unit : GLuint {
     occlusion_unit = guide_unit,
     profiles_unit,
     sample_diffuse_unit,
-    sample_specular_unit
+    sample_specular_unit,
+    sheen_unit
 };
 /// Units of the G-buffer, where the material's are otherwise.
 enum GBufferUnit : GLuint {
@@ -98,7 +100,13 @@ base::Result<LightBuffers> make_light_buffers(const gl::Context& gl) {
     out.ltc_table = std::move(*table);
     gl::upload(gl, out.ltc_table, spec, 0, 0, {GL_RGBA, GL_FLOAT},
                std::as_bytes(std::span(brdf::ltc_ggx)));
-    out.ltc_sampler = gl::make_sampler(gl, {.min_filter = GL_LINEAR, .mag_filter = GL_LINEAR});
+    const gl::TextureSpec sheen{.format = GL_R32F, .size = {brdf::sheen_columns, brdf::sheen_rows}};
+    table = gl::make_texture(gl, sheen);
+    if (!table) return tl::unexpected(table.error());
+    out.sheen_table = std::move(*table);
+    gl::upload(gl, out.sheen_table, sheen, 0, 0, {GL_RED, GL_FLOAT},
+               std::as_bytes(std::span(brdf::sheen_charlie)));
+    out.table_sampler = gl::make_sampler(gl, {.min_filter = GL_LINEAR, .mag_filter = GL_LINEAR});
     return out;
 }
 
@@ -133,6 +141,7 @@ void set_shade_samplers(const gl::Context& gl, const gl::Program& program) {
     gl::bind_sampler(gl, program, "indirect_guide", guide_unit);
     gl::bind_sampler(gl, program, "sample_diffuse", sample_diffuse_unit);
     gl::bind_sampler(gl, program, "sample_specular", sample_specular_unit);
+    gl::bind_sampler(gl, program, "sheen_table", sheen_unit);
 }
 
 void bind_shade_textures(const gl::Context& gl, const ShadeInputs& in) {
@@ -140,13 +149,16 @@ void bind_shade_textures(const gl::Context& gl, const ShadeInputs& in) {
     gl::bind_texture(gl, cube_unit, GL_TEXTURE_CUBE_MAP, e.radiance_cube, &e.cube_sampler);
     gl::bind_texture(gl, irradiance_unit, GL_TEXTURE_CUBE_MAP, e.irradiance_cube, &e.cube_sampler);
     gl::bind_texture(gl, table_unit, GL_TEXTURE_2D, e.albedo_table, &e.table_sampler);
+    gl::bind_texture(gl, sheen_unit, GL_TEXTURE_2D, in.lights.sheen_table,
+                     &in.lights.table_sampler);
     gl::bind_texture(gl, lights_unit, GL_TEXTURE_BUFFER, in.lights.lights_texture, nullptr);
     gl::bind_texture(gl, tiles_unit, GL_TEXTURE_BUFFER, in.lights.tiles_texture, nullptr);
     gl::bind_texture(gl, indices_unit, GL_TEXTURE_BUFFER, in.lights.indices_texture, nullptr);
     if (in.key.light_profiles)
         gl::bind_texture(gl, profiles_unit, GL_TEXTURE_BUFFER, in.lights.profiles_texture, nullptr);
     if (in.key.area_lights)
-        gl::bind_texture(gl, ltc_unit, GL_TEXTURE_2D, in.lights.ltc_table, &in.lights.ltc_sampler);
+        gl::bind_texture(gl, ltc_unit, GL_TEXTURE_2D, in.lights.ltc_table,
+                         &in.lights.table_sampler);
     if (in.key.visibility)
         gl::bind_texture(gl, visibility_unit, GL_TEXTURE_BUFFER, in.rays.visibility_texture,
                          nullptr);

@@ -35,8 +35,9 @@ struct ShadeKey {
 struct LightBuffers {
     gl::Buffer lights, tiles, indices, profiles;
     gl::Texture lights_texture, tiles_texture, indices_texture, profiles_texture;
-    gl::Texture ltc_table;  ///< RGBA32F, brdf/ltc.h
-    gl::Sampler ltc_sampler;
+    gl::Texture ltc_table;      ///< RGBA32F, brdf/ltc.h
+    gl::Texture sheen_table;    ///< R32F, brdf/sheen.h
+    gl::Sampler table_sampler;  ///< of both
 };
 [[nodiscard]] base::Result<LightBuffers> make_light_buffers(const gl::Context& gl);
 void update_lights(const gl::Context& gl, const LightBuffers& buffers, const PackedLights& lights);

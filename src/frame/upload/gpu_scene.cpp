@@ -6,6 +6,7 @@
 #include "frame/upload/upload_meshes.h"
 #include "frame/upload/upload_textures.h"
 #include "scene/dielectric.h"
+#include "scene/layers.h"
 
 #include <algorithm>
 #include <cstring>
@@ -51,6 +52,7 @@ shared::Draw block_of(const scene::Instance& instance, const scene::Material& ma
     block.emissive_nit_cutoff = Vec4(v.emissive * v.emissive_strength, v.alpha_cutoff);
     block.dielectric_f0_specular = Vec4(scene::dielectric_f0(v), v.specular);
     block.coat = {v.clearcoat, v.clearcoat_roughness, v.clearcoat_normal_scale, 0.0F};
+    block.sheen = Vec4(v.sheen_color, v.sheen_roughness);
     static_assert(sizeof(block.uv_rows) == 2 * sizeof(Vec4) * tables::material_textures.size());
     for (std::size_t slot = 0; slot < material.textures.size(); ++slot) {
         const scene::Texture texture = material.textures[slot].value_or(scene::Texture{});
@@ -82,7 +84,7 @@ public:
         draw.center_m = Vec3(instance.world_from_object * Vec4(mesh.bounds_m.center(), 1.0F));
         draw.instance = index;
         draw.blended = material.alpha_mode == scene::AlphaMode::blend;
-        draw.layered = !draw.blended && draw.key.clearcoat;
+        draw.layered = !draw.blended && scene::has_layers(material);
         draw.double_sided = material.double_sided;
         for (std::size_t slot = 0; slot < material.textures.size(); ++slot)
             if (material.textures[slot])

@@ -50,6 +50,11 @@ MaterialKey material_key(const scene::Scene& scene, const scene::Material& mater
         key.clearcoat_normal_map =
             used(TextureSlot::clearcoat_normal_texture) != nullptr && !mesh.tangents.empty();
     }
+    key.sheen = scene::has_sheen(material);
+    if (key.sheen) {
+        key.sheen_color_texture = used(TextureSlot::sheen_color_texture) != nullptr;
+        key.sheen_roughness_texture = used(TextureSlot::sheen_roughness_texture) != nullptr;
+    }
     key.vertex_color = !mesh.colors.empty();
     key.alpha_mask = material.alpha_mode == scene::AlphaMode::mask;
     for (const auto& texture : material.textures)
@@ -73,7 +78,9 @@ std::string defines(const MaterialKey& key) {
            define("GLOSSINESS", key.glossiness) + define("CLEARCOAT", key.clearcoat) +
            define("CLEARCOAT_TEXTURE", key.clearcoat_texture) +
            define("CLEARCOAT_ROUGHNESS_TEXTURE", key.clearcoat_roughness_texture) +
-           define("CLEARCOAT_NORMAL_MAP", key.clearcoat_normal_map) +
+           define("CLEARCOAT_NORMAL_MAP", key.clearcoat_normal_map) + define("SHEEN", key.sheen) +
+           define("SHEEN_COLOR_TEXTURE", key.sheen_color_texture) +
+           define("SHEEN_ROUGHNESS_TEXTURE", key.sheen_roughness_texture) +
            define("TANGENTS", key.normal_map || key.clearcoat_normal_map) +
            define("VERTEX_COLOR", key.vertex_color) + define("UV_GENERAL", key.uv_general) +
            define("ALPHA_MASK", key.alpha_mask);

@@ -25,6 +25,9 @@ struct MaterialKey {
     bool clearcoat_texture = false;
     bool clearcoat_roughness_texture = false;
     bool clearcoat_normal_map = false;
+    bool sheen = false;
+    bool sheen_color_texture = false;
+    bool sheen_roughness_texture = false;
     bool vertex_color = false;
     bool uv_general = false;  ///< a UV transform, or the second set
     bool alpha_mask = false;

@@ -11,9 +11,9 @@ namespace {
 constexpr auto implemented = std::to_array<std::string_view>(
     {"EXT_mesh_gpu_instancing", "EXT_texture_webp", "KHR_lights_punctual",
      "KHR_materials_clearcoat", "KHR_materials_emissive_strength", "KHR_materials_ior",
-     "KHR_materials_pbrSpecularGlossiness", "KHR_materials_specular", "KHR_materials_unlit",
-     "KHR_materials_variants", "KHR_mesh_quantization", "KHR_node_visibility",
-     "KHR_texture_transform"});
+     "KHR_materials_pbrSpecularGlossiness", "KHR_materials_sheen", "KHR_materials_specular",
+     "KHR_materials_unlit", "KHR_materials_variants", "KHR_mesh_quantization",
+     "KHR_node_visibility", "KHR_texture_transform"});
 
 struct Loss {
     std::string_view extension;
@@ -29,7 +29,6 @@ constexpr auto losses = std::to_array<Loss>(
      {"KHR_materials_anisotropy", "anisotropic highlights"},
      {"KHR_materials_dispersion", "dispersion"},
      {"KHR_materials_iridescence", "iridescence"},
-     {"KHR_materials_sheen", "the sheen"},
      {"KHR_materials_transmission", "transparency to light"},
      {"KHR_materials_diffuse_transmission", "light through thin surfaces"},
      {"KHR_materials_volume", "absorption within the volume"},

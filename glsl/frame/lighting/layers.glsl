@@ -1,0 +1,71 @@
+// The layers over a surface as shade.glsl lights them; glsl/brdf/model/layers.glsl.
+#if FACET_CLEARCOAT
+struct CoatPoint {
+    BrdfCoat brdf;
+    vec3 normal;
+    bool is_mirror;
+};
+CoatPoint coat;  // of the point at hand
+
+CoatPoint coat_point(ShadePoint p) {
+    float n_dot_v = clamp(dot(p.coat_normal, p.to_eye), N_DOT_V_MIN, 1.0);
+    float roughness = max(p.coat_roughness, ROUGHNESS_MIN);
+    vec2 a_b = textureLod(albedo_table, albedo_coordinates(n_dot_v, roughness), 0.0).xy;
+    return CoatPoint(brdf_coat(p.coat, roughness, n_dot_v, a_b.x, a_b.y), p.coat_normal,
+                     p.coat_roughness < MIRROR_ROUGHNESS);
+}
+#endif
+#if FACET_SHEEN
+uniform sampler2D sheen_table;  // brdf/sheen.h
+BrdfSheen sheen;                // of the point at hand
+#endif
+
+void set_layers(ShadePoint p, float n_dot_v) {
+#if FACET_CLEARCOAT
+    coat = coat_point(p);
+#ifdef FACET_EXPLAIN
+    explained.coat = vec4(p.coat, p.coat_roughness, coat.brdf.albedo, 0.0);
+#endif
+#endif
+#if FACET_SHEEN
+    vec2 at = sheen_coordinates(n_dot_v, p.sheen_roughness, vec2(textureSize(sheen_table, 0)));
+    sheen = brdf_sheen(p.sheen_color, p.sheen_roughness, textureLod(sheen_table, at, 0.0).r);
+#ifdef FACET_EXPLAIN
+    explained.sheen = vec4(sheen.albedo, p.sheen_roughness);
+#endif
+#endif
+}
+
+// f: of the base; n_dot_l: its cosine, which the caller multiplies with.
+BrdfValue layered(BrdfValue f, vec3 to_light, vec3 h, float n_dot_v, float n_dot_l, float n_dot_h, float v_dot_h, bool has_size) {
+#if FACET_SHEEN
+    f = below_sheen(sheen, f, sheen_light(sheen, n_dot_v, n_dot_l, n_dot_h));
+#endif
+#if FACET_CLEARCOAT
+    f = below_coat(coat.brdf, f);
+    float coat_n_dot_l = clamp(dot(coat.normal, to_light), 0.0, 1.0);
+    float coat_n_dot_h = clamp(dot(coat.normal, h), 0.0, 1.0);
+    float on_coat = coat_light(coat.brdf, coat_n_dot_l, coat_n_dot_h, v_dot_h) * coat_n_dot_l / max(n_dot_l, 1e-4);
+    f.specular += coat.is_mirror && !has_size ? 0.0 : on_coat;
+#endif
+    return f;
+}
+
+// Weights of the environment, but the coat's own.
+BrdfValue below_layers(BrdfValue w) {
+#if FACET_SHEEN
+    w = below_sheen(sheen, w, sheen.albedo);
+#endif
+#if FACET_CLEARCOAT
+    w = below_coat(coat.brdf, w);
+#endif
+    return w;
+}
+
+float coat_albedo() {
+#if FACET_CLEARCOAT
+    return coat.brdf.albedo;
+#else
+    return 0.0;
+#endif
+}
