@@ -16,4 +16,7 @@ inline constexpr float sheen_charlie[sheen_rows][sheen_columns] = {
 #include "brdf/sheen_charlie.inl"
 };
 
+/// The table at one direction, bilinear as GL filters it. Arguments in [0, 1].
+[[nodiscard]] float sheen_albedo(float n_dot_v, float roughness);
+
 }  // namespace facet::brdf

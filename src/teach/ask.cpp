@@ -7,6 +7,7 @@
 #include "brdf/choice.h"
 #include "brdf/metal_spectra.h"
 #include "brdf/presets.h"
+#include "brdf/sheen.h"
 #include "math/blackbody.h"
 #include "scene/lens.h"
 
@@ -141,6 +142,13 @@ double ball_of(Answers&, const Ask& ask) {
     return std::numbers::pi * (1.0 - ask.n_dot_v * ask.n_dot_v);
 }
 
+/// Of fibres of colour 1, as layers of sheen look it up.
+double sheen_of(Answers&, const Ask& ask) {
+    const float e =
+        brdf::sheen_albedo(static_cast<float>(ask.n_dot_v), static_cast<float>(ask.roughness));
+    return std::min(double{e}, 1.0);
+}
+
 struct Kind {
     AskName name;
     double (*answer)(Answers&, const Ask&);
@@ -165,6 +173,7 @@ constexpr Kind kinds[] = {
     {{"absorbed", "share that does not come back"}, absorbed_of, "albedo"},
     {{"furnace", "share that comes back in all"}, furnace_of, "furnace"},
     {{"residual", "furnace - 1"}, residual_of, "furnace"},
+    {{"sheen", "share that fibres of colour 1 reflect, of that roughness"}, sheen_of},
     {{"split_a", "A of the split sum"}, split_a_of},
     {{"split_b", "B of the split sum"}, split_b_of},
     {{"average", "mean of A + B over the hemisphere"}, average_of},

@@ -48,23 +48,6 @@ Lobes::real4 Model::albedo(float n_dot_v, float roughness) const {
            (texel(row + 1, column) * (1.0F - across) + texel(row + 1, column + 1) * across) * down;
 }
 
-float Model::sheen_albedo(float n_dot_v, float roughness) {
-    const Vec2 size(brdf::sheen_columns, brdf::sheen_rows);
-    Lobes terms;
-    const Vec2 at = terms.sheen_coordinates(n_dot_v, roughness, size) * size - 0.5F;
-    const float x = std::clamp(at.x, 0.0F, size.x - 1.001F);
-    const float y = std::clamp(at.y, 0.0F, size.y - 1.001F);
-    const auto column = static_cast<std::size_t>(x);
-    const auto row = static_cast<std::size_t>(y);
-    const float across = x - static_cast<float>(column);
-    const float down = y - static_cast<float>(row);
-    const auto mixed = [&](std::size_t r) {
-        return brdf::sheen_charlie[r][column] * (1.0F - across) +
-               brdf::sheen_charlie[r][column + 1] * across;
-    };
-    return mixed(row) * (1.0F - down) + mixed(row + 1) * down;
-}
-
 LobeFrame::LobeFrame(const Vec3& axis)
     : x(brdf::LightTerms<float>{}.across(axis)), y(math::cross(axis, x)), z(axis) {}
 
@@ -100,7 +83,7 @@ void Bsdf::set_sheen(const Surface& surface, Draws draws) {
     has_sheen_ = true;
     Lobes terms = model_->environment;
     sheen_ = terms.brdf_sheen(surface.sheen_color, surface.sheen_roughness,
-                              Model::sheen_albedo(view_.n_dot_v, surface.sheen_roughness));
+                              brdf::sheen_albedo(view_.n_dot_v, surface.sheen_roughness));
     if (draws != Draws::both) return;
     // A metal that had none has a diffuse lobe now.
     const Lobes::BrdfValue weight = weight_below();

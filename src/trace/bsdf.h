@@ -21,9 +21,6 @@ struct Model {
 
     Lobes lights;
     Lobes environment;
-    /// Albedo of sheen of colour 1.
-    [[nodiscard]] static float sheen_albedo(float n_dot_v, float roughness);
-
     brdf::AlbedoTable table;
     bool one_masking = true;  ///< lights and environment are masked alike
     bool needs_e_l = false;

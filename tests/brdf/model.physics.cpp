@@ -246,20 +246,8 @@ TEST(ModelLaws, SheenUnderACoatOverAWhiteSurfaceGainsNothing) {
     Lobe lobe;
     for (const double roughness : {0.1, 0.3, 0.6, 1.0})
         for (const double n_dot_v : {0.02, 0.1, 0.5, 1.0}) {
-            // Linear between the table's columns and rows, as the shaders look it up.
-            const auto at = lobe.sheen_coordinates(n_dot_v, roughness,
-                                                   {double(sheen_columns), double(sheen_rows)});
-            const double x = at.x * sheen_columns - 0.5;
-            const double y = at.y * sheen_rows - 0.5;
-            const auto column = std::min(static_cast<std::size_t>(x), sheen_columns - 2);
-            const auto row = std::min(static_cast<std::size_t>(y), sheen_rows - 2);
-            const double across = x - static_cast<double>(column);
-            const double down = y - static_cast<double>(row);
-            const auto mixed = [&](std::size_t r) {
-                return double{sheen_charlie[r][column]} * (1 - across) +
-                       double{sheen_charlie[r][column + 1]} * across;
-            };
-            const double e = mixed(row) * (1 - down) + mixed(row + 1) * down;
+            const double e =
+                double{sheen_albedo(static_cast<float>(n_dot_v), static_cast<float>(roughness))};
             const auto sheen = lobe.brdf_sheen(Color(1.0), roughness, e);
             const auto view = view_of(lobe, Color(1.0), 0.5, 0.7, 0.04, n_dot_v);
             const auto below = lobe.below_sheen(sheen, lobe.brdf_environment(view), sheen.albedo);
