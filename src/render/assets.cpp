@@ -20,7 +20,7 @@ std::string stamp(const std::filesystem::path& file) {
 
 std::string key_of(const std::string& name, const scene::LoadOptions& options) {
     std::string key = name + stamp(name) + (options.strict ? "\nstrict" : "");
-    return key + "\n" + base::join(options.ignored_required, ",");
+    return key + "\n" + base::join(options.ignored_required, ",") + "\n" + options.variant;
 }
 
 }  // namespace

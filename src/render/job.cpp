@@ -101,6 +101,7 @@ base::Status set_lens(const tables::Settings& settings, const scene::Scene& scen
 
 scene::LoadOptions load_options(const tables::Settings& settings) {
     scene::LoadOptions options{.ignored_required = settings.ignore_required,
+                               .variant = settings.variant,
                                .strict = settings.strict};
     options.allowed_folders.assign(settings.allow_read.begin(), settings.allow_read.end());
     if (!settings.base.empty()) options.base_folder = settings.base;

@@ -23,8 +23,9 @@ struct LoadOptions {
     std::optional<std::filesystem::path>
         base_folder;                           ///< --base: folder of relative URIs for bytes
     std::optional<std::uint32_t> scene_index;  ///< none: the file's default scene
-    bool decode_images = true;                 ///< off for `info`: headers are checked all the same
-    bool strict = false;                       ///< a missing texture is an error
+    std::string variant;        ///< --variant: of KHR_materials_variants; empty: the file's default
+    bool decode_images = true;  ///< off for `info`: headers are checked all the same
+    bool strict = false;        ///< a missing texture is an error
 };
 
 /// A scene and what was wrong but usable in it.

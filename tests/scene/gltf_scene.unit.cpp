@@ -162,6 +162,28 @@ TEST(GltfLights, punctual_lights_have_the_units_place_and_direction_of_their_nod
     EXPECT_EQ(lamp.outer_cone_rad, 0.5F);
 }
 
+TEST(GltfVariants, give_primitives_their_own_materials_and_others_keep_theirs) {
+    Document d = triangle();
+    d.json["extensionsUsed"] = {"KHR_materials_variants"};
+    d.json["extensions"]["KHR_materials_variants"]["variants"] = {{{"name", "red"}},
+                                                                  {{"name", "blue"}}};
+    d.json["materials"] = {{{"name", "plain"}}, {{"name", "paint"}}};
+    primitive(d)["material"] = 0;
+    primitive(d)["extensions"]["KHR_materials_variants"]["mappings"] = {
+        {{"material", 1}, {"variants", {1}}}};
+    const auto worn = [&](const std::string& variant) {
+        const scene::Scene scene = loaded_or_fail(d, {.variant = variant}).scene;
+        return scene.materials[scene.meshes.at(0).material.index].name;
+    };
+    EXPECT_EQ(worn(""), "plain");
+    EXPECT_EQ(worn("red"), "plain");
+    EXPECT_EQ(worn("blue"), "paint");
+    const auto unknown = load_document(d, {.variant = "green"});
+    ASSERT_FALSE(unknown);
+    EXPECT_EQ(unknown.error().code, base::ErrorCode::usage);
+    EXPECT_NE(unknown.error().remedy.find("red, blue"), std::string::npos);
+}
+
 TEST(GltfNames, clips_and_variants_are_listed) {
     Document d = triangle();
     d.json["extensionsUsed"] = {"KHR_materials_variants"};

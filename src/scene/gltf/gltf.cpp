@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "scene/gltf/gltf.h"
 
+#include "base/text.h"
 #include "scene/gltf/check.h"
 #include "scene/gltf/extensions.h"
 #include "scene/gltf/import.h"
@@ -43,6 +44,21 @@ void list_names(const Json& json, Scene& scene) {
     scene.variants = names_of(json, "extensions/KHR_materials_variants/variants", "variant");
 }
 
+/// The index of the variant asked for. Errors: usage (no such name).
+base::Result<std::optional<std::size_t>> variant_of(const LoadOptions& options,
+                                                    const Scene& scene) {
+    if (options.variant.empty()) return std::nullopt;
+    const auto found = std::find(scene.variants.begin(), scene.variants.end(), options.variant);
+    if (found != scene.variants.end())
+        return static_cast<std::size_t>(found - scene.variants.begin());
+    return base::fail({.code = base::ErrorCode::usage,
+                       .what = "the file has no such variant",
+                       .found = options.variant,
+                       .remedy = scene.variants.empty()
+                                     ? "it has none"
+                                     : "one of " + base::join(scene.variants, ", ")});
+}
+
 base::Result<Loaded> convert(Asset& asset, const LoadOptions& options, const base::Limits& limits,
                              base::ThreadPool& pool) {
     Loaded loaded;
@@ -63,14 +79,18 @@ base::Result<Loaded> convert(Asset& asset, const LoadOptions& options, const bas
                   .warnings = loaded.warnings,
                   .image_sources = {},
                   .images_by_key = {},
+                  .variant = {},
                   .default_material = {},
                   .reduced_materials = {}};
+    list_names(asset.json, loaded.scene);
+    const auto variant = variant_of(options, loaded.scene);
+    if (!variant) return tl::unexpected(variant.error());
+    import.variant = *variant;
     convert_materials(import);
     if (auto converted = convert_nodes(import); !converted)
         return tl::unexpected(converted.error());
     if (auto images = load_images(import); !images) return tl::unexpected(images.error());
     if (options.decode_images) drop_missing_normal_maps(loaded.scene);
-    list_names(asset.json, loaded.scene);
     loaded.reads = std::move(asset.reads);
     return loaded;
 }

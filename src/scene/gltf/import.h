@@ -32,6 +32,7 @@ struct Import {
 
     std::vector<std::uint32_t> image_sources;      ///< by ImageId: index in the file
     std::map<std::string, ImageId> images_by_key;  ///< uri, or "#" and the index
+    std::optional<std::size_t> variant;            ///< of KHR_materials_variants
     std::optional<MaterialId> default_material;
     std::vector<std::map<std::string, MaterialId>>
         reduced_materials;  ///< by material: without some textures

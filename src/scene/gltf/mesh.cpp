@@ -6,6 +6,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace facet::scene::gltf {
@@ -70,6 +71,28 @@ void complete_tangents(const Import& import, Mesh& mesh) {
     if (mesh.tangents.empty()) generate_tangents(mesh, map->uv_set);
 }
 
+/// The material that the variant chosen gives a primitive.
+std::optional<MaterialId> material_of_variant(const Import& import, std::size_t mesh,
+                                              std::size_t primitive) {
+    if (!import.variant) return std::nullopt;
+    const Json* const json =
+        element_at(*element_at(import.asset.json, "meshes", mesh), "primitives", primitive);
+    const Json* const use =
+        json != nullptr ? find_path(*json, "extensions/KHR_materials_variants") : nullptr;
+    if (use == nullptr) return std::nullopt;
+    for (std::size_t m = 0; m < count_at(*use, "mappings"); ++m) {
+        const Json& mapping = *element_at(*use, "mappings", m);
+        const Json* const variants = find(mapping, "variants");
+        const auto material = index_at(mapping, "material");
+        if (variants == nullptr || !variants->is_array() || !material ||
+            *material >= import.model.materials.size())
+            continue;
+        if (std::find(variants->begin(), variants->end(), Json(*import.variant)) != variants->end())
+            return MaterialId{*material};
+    }
+    return std::nullopt;
+}
+
 MaterialId material_of(Import& import, const tinygltf::Primitive& primitive) {
     if (primitive.material < 0) return default_material(import);
     return {static_cast<std::uint32_t>(primitive.material)};
@@ -117,7 +140,9 @@ base::Result<std::optional<Mesh>> build_mesh(Import& import, std::size_t mesh_in
         return std::nullopt;
     }
     mesh.name = source.name.empty() ? fmt::format("mesh {}", mesh_index) : source.name;
-    mesh.material = material_for(import, material_of(import, primitive), mesh, where);
+    const auto chosen = material_of_variant(import, mesh_index, primitive_index);
+    mesh.material =
+        material_for(import, chosen ? *chosen : material_of(import, primitive), mesh, where);
     complete_normals(import, where, mesh);
     complete_tangents(import, mesh);
     if (pose.is_mirrored) mirror(mesh);
