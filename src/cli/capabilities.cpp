@@ -4,6 +4,7 @@
 
 #include "base/text.h"
 #include "tables/aovs.h"
+#include "tables/gltf_features.h"
 #include "tables/image_formats.h"
 #include "tables/lights.h"
 #include "tables/material.h"
@@ -33,6 +34,27 @@ Names formats(bool tables::ImageFormatRow::*can) {
     return names;
 }
 
+void print_features(Io& io) {
+    io.print("\n| glTF | loaded | raster | reference | studio | test |");
+    io.print("| --- | --- | --- | --- | --- | --- |");
+    for (const tables::GltfFeature& row : tables::gltf_features)
+        io.print(fmt::format("| {} | {} | {} | {} | {} | {} |", row.name, name_of(row.loaded),
+                             name_of(row.raster), name_of(row.reference), name_of(row.studio),
+                             row.test));
+}
+
+nlohmann::ordered_json features_json() {
+    nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+    for (const tables::GltfFeature& row : tables::gltf_features)
+        rows.push_back({{"name", row.name},
+                        {"loaded", name_of(row.loaded)},
+                        {"raster", name_of(row.raster)},
+                        {"reference", name_of(row.reference)},
+                        {"studio", name_of(row.studio)},
+                        {"test", row.test}});
+    return rows;
+}
+
 }  // namespace
 
 void print_capabilities(Io& io) {
@@ -50,7 +72,9 @@ void print_capabilities(Io& io) {
         object[name] = names;
         if (!io.json) io.print(fmt::format("{:<17} {}", name, base::join(names, ", ")));
     }
-    if (io.json) io.print_object(object);
+    if (!io.json) return print_features(io);
+    object["gltf"] = features_json();
+    io.print_object(object);
 }
 
 }  // namespace facet::cli

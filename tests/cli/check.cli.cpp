@@ -1,5 +1,6 @@
 // facet check, info and doctor: what they print and how they end.
 // SPDX-License-Identifier: MIT
+#include "base/file.h"
 #include "support/process.h"
 #include "support/temporary_folder.h"
 
@@ -7,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <filesystem>
 
 namespace facet::cli {
 namespace {
@@ -59,7 +61,22 @@ TEST(Check, OfWhatCannotBeReadIsStatus3AndGoesOnWithTheRest) {
 TEST(Check, ListsWhatIsSupported) {
     const Ran ran = facet({"check", "--capabilities", "--json"});
     EXPECT_EQ(ran.exit, 0);
-    EXPECT_FALSE(json::parse(ran.out)["pictures_written"].empty());
+    const json told = json::parse(ran.out);
+    EXPECT_FALSE(told["pictures_written"].empty());
+    for (const json& row : told["gltf"]) {
+        const auto test = row["test"].get<std::string>();
+        EXPECT_EQ(row["loaded"] == "yes", !test.empty()) << row;
+        const std::filesystem::path file = std::filesystem::path(FACET_SOURCE_DIR) / test;
+        EXPECT_TRUE(test.empty() || std::filesystem::is_regular_file(file)) << row;
+    }
+}
+TEST(Check, TheDocumentOnSupportIsWhatItPrints) {
+    const Ran ran = facet({"check", "--capabilities"});
+    const auto text = base::read_text_file(
+        std::filesystem::path(FACET_SOURCE_DIR) / "docs" / "support.md", 1U << 20U);
+    ASSERT_TRUE(text);
+    EXPECT_NE(text->find(ran.out.substr(ran.out.find("| glTF"))), std::string::npos)
+        << "docs/support.md: facet check --capabilities has another table";
 }
 
 TEST(Info, TellsWhatIsInAScene) {

@@ -2,38 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "scene/gltf/extensions.h"
 
+#include "tables/gltf_features.h"
+
 #include <algorithm>
 #include <array>
 
 namespace facet::scene::gltf {
 namespace {
-
-constexpr auto implemented = std::to_array<std::string_view>(
-    {"EXT_mesh_gpu_instancing", "EXT_texture_webp", "KHR_lights_punctual",
-     "KHR_materials_clearcoat", "KHR_materials_emissive_strength", "KHR_materials_ior",
-     "KHR_materials_pbrSpecularGlossiness", "KHR_materials_sheen", "KHR_materials_specular",
-     "KHR_materials_unlit", "KHR_materials_variants", "KHR_mesh_quantization",
-     "KHR_node_visibility", "KHR_texture_transform"});
-
-struct Loss {
-    std::string_view extension;
-    std::string_view what;
-};
-constexpr auto losses = std::to_array<Loss>(
-    {{"KHR_draco_mesh_compression", "the geometry, which is compressed with Draco"},
-     {"EXT_meshopt_compression", "the geometry, which is compressed with meshoptimizer"},
-     {"KHR_meshopt_compression", "the geometry, which is compressed with meshoptimizer"},
-     {"KHR_texture_basisu", "the textures, which are KTX2 with Basis Universal"},
-     {"EXT_texture_avif", "the textures, which are AVIF"},
-     {"MSFT_texture_dds", "the textures, which are DDS"},
-     {"KHR_materials_anisotropy", "anisotropic highlights"},
-     {"KHR_materials_dispersion", "dispersion"},
-     {"KHR_materials_iridescence", "iridescence"},
-     {"KHR_materials_transmission", "transparency to light"},
-     {"KHR_materials_diffuse_transmission", "light through thin surfaces"},
-     {"KHR_materials_volume", "absorption within the volume"},
-     {"KHR_animation_pointer", "animated properties"},
-     {"EXT_lights_image_based", "the file's own environment"}});
 
 /// Another form of what the file has in plain form as well, unless it is required.
 bool has_fallback(std::string_view extension) {
@@ -52,13 +27,13 @@ base::Error missing(const std::string& name) {
 }  // namespace
 
 bool is_implemented(std::string_view extension) {
-    return std::find(implemented.begin(), implemented.end(), extension) != implemented.end();
+    const tables::GltfFeature* const feature = tables::gltf_feature(extension);
+    return feature != nullptr && feature->loaded == tables::Support::yes;
 }
 
 std::string_view loss_without(std::string_view extension) {
-    for (const Loss& loss : losses)
-        if (loss.extension == extension) return loss.what;
-    return "what it describes";
+    const tables::GltfFeature* const feature = tables::gltf_feature(extension);
+    return feature != nullptr && !feature->loss.empty() ? feature->loss : "what it describes";
 }
 
 base::Status check_implemented(const Json& json, const LoadOptions& options,
