@@ -48,6 +48,22 @@ Lobes::real4 Model::albedo(float n_dot_v, float roughness) const {
            (texel(row + 1, column) * (1.0F - across) + texel(row + 1, column + 1) * across) * down;
 }
 
+namespace {
+
+Lobes::BrdfCoat coat_of(const Model& model, const Surface& surface, float n_dot_v) {
+    Lobes terms = model.environment;
+    const Lobes::real4 albedo = model.albedo(n_dot_v, surface.coat_roughness);
+    return terms.brdf_coat(surface.coat, surface.coat_roughness, n_dot_v, albedo.x, albedo.y);
+}
+
+}  // namespace
+
+float through_coat(const Model& model, const Surface& surface, const Vec3& to_eye) {
+    if (surface.coat <= 0.0F) return 1.0F;
+    const float n_dot_v = std::clamp(math::dot(surface.coat_normal, to_eye), n_dot_v_min, 1.0F);
+    return 1.0F - coat_of(model, surface, n_dot_v).albedo;
+}
+
 LobeFrame::LobeFrame(const Vec3& axis)
     : x(brdf::LightTerms<float>{}.across(axis)), y(math::cross(axis, x)), z(axis) {}
 
@@ -107,10 +123,7 @@ void Bsdf::set_coat(const Surface& surface, Draws draws) {
     coat_to_eye_ = coat_frame_.local(to_eye_);
     coat_to_eye_.z = std::max(coat_to_eye_.z, n_dot_v_min);
     coat_to_eye_ = math::normalize(coat_to_eye_);
-    const float n_dot_v = std::min(coat_to_eye_.z, 1.0F);
-    Lobes terms = model_->environment;
-    const Lobes::real4 albedo = model_->albedo(n_dot_v, surface.coat_roughness);
-    coat_ = terms.brdf_coat(surface.coat, surface.coat_roughness, n_dot_v, albedo.x, albedo.y);
+    coat_ = coat_of(*model_, surface, std::min(coat_to_eye_.z, 1.0F));
     is_coat_mirror_ = coat_.alpha < mirror_alpha_max;
     const Lobes::BrdfValue base = weight_below();
     Vec3 others = base.specular;

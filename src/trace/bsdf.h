@@ -34,6 +34,10 @@ struct Scattered {
     float pdf = 0.0F;
 };
 
+/// Share of a surface's own light that passes its coat to the viewer.
+[[nodiscard]] float through_coat(const Model& model, const Surface& surface,
+                                 const math::Vec3& to_eye);
+
 /// A unit vector and two at right angles to it.
 struct LobeFrame {
     math::Vec3 x{0.0F}, y{0.0F}, z{0.0F};

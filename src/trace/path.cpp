@@ -119,8 +119,11 @@ private:
         const float cone_m = cone_.width_at(hit.distance_m);
         Surface surface =
             surface_at(world_.scene, world_.frames, world_.textures, hit, ray_.direction, cone_m);
-        if constexpr (books == Books::gathered)
-            surface.roughness = std::max(surface.roughness, std::sqrt(least_alpha_));
+        if constexpr (books == Books::gathered) {
+            const float least = std::sqrt(least_alpha_);
+            surface.roughness = std::max(surface.roughness, least);
+            surface.coat_roughness = std::max(surface.coat_roughness, least);
+        }
         if (surface.opacity < 1.0F && sequence_.next() >= surface.opacity) return pass(hit);
         if (from_camera()) out_.coverage = 1.0F;
         add_emission(hit, surface);
@@ -235,9 +238,11 @@ private:
         const scene::Scene& scene = world_.scene;
         if (!surface.front && !scene.material_of(scene.instances[hit.instance]).double_sided)
             return;
-        float share = 1.0F;
-        if (!from_camera() && !mirrored_)
-            share = power_share(pdf_, world_.lights.mesh_pdf(hit, ray_, light_weight_));
+        // Lights that are drawn are taken without their coat, so others' share of them is too.
+        const float share =
+            from_camera() || mirrored_
+                ? through_coat(world_.model, surface, -ray_.direction)
+                : power_share(pdf_, world_.lights.mesh_pdf(hit, ray_, light_weight_));
         add_seen(of_light_ * surface.emissive_nit * share, From::light);
     }
     void add_seen(const Vec3& nit, From from) {

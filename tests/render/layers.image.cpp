@@ -53,6 +53,15 @@ TEST(Clearcoat, IsAsTheReferenceHasItInEveryLight) {
         }
 }
 
+TEST(Clearcoat, DimsWhatTheSurfaceEmits) {
+    const std::vector<std::string> edits{
+        "material.ball.emissive=1 0.6 0.3", "material.ball.clearcoat=1",
+        "material.ball.clearcoat_roughness=0.4", "material.ball.specular=0"};
+    const Lit dark{"", "black"};
+    for (const char* const shadows : {"traced", "off"})
+        EXPECT_LT(rmse(dark, shadows, edits), 0.004) << shadows;
+}
+
 TEST(Sheen, IsAsTheReferenceHasItInEveryLight) {
     for (const Lit& by : every_light)
         for (const char* const roughness : {"0.2", "0.5"}) {

@@ -196,7 +196,7 @@ vec3 shade(ShadePoint p) {
 #if FACET_CLEARCOAT
     found.specular *= w.specular;
     w.specular += coat.brdf.albedo;
-    found.specular = (found.specular + coat.brdf.albedo * found.coat) / w.specular;
+    found.specular = (found.specular + coat.brdf.albedo * found.coat) / max(w.specular, vec3(1e-20));
 #endif
     vec3 arriving = found.rest;
 #if FACET_ENVIRONMENT
