@@ -4,6 +4,7 @@
 
 #include "brdf/light_terms.h"
 #include "brdf/sheen.h"
+#include "math/color.h"
 
 #include <algorithm>
 #include <cmath>
@@ -219,6 +220,13 @@ Bsdf::DiffuseShares Bsdf::diffuse_shares(const Vec3& to_light) const {
     };
     const Vec3 of_light = share(model_->lights);
     return {of_light, model_->one_masking ? of_light : share(model_->environment)};
+}
+
+float Bsdf::sheen_share() const {
+    if (!has_sheen_) return 0.0F;
+    const float through = is_coated_ ? 1.0F - coat_.albedo : 1.0F;
+    return through * math::luminance(sheen_.albedo) /
+           std::max(math::luminance(weight_below().diffuse), 1e-20F);
 }
 
 Lobes::BrdfValue Bsdf::environment_weight() const {

@@ -76,6 +76,9 @@ public:
     /// Factors on irradiance / pi and on the mean over the specular lobe of what arrives.
     [[nodiscard]] Lobes::BrdfValue environment_weight() const;
 
+    /// Part of the diffuse weight, in luminance, that is of fibres.
+    [[nodiscard]] float sheen_share() const;
+
     struct Sample {
         math::Vec3 direction{0.0F};  ///< unit, to the light
         Scattered scattered;  ///< of a mirror: the share reflected over its probability, with pdf 1

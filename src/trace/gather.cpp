@@ -58,7 +58,7 @@ private:
         std::uint32_t x = 0;  ///< pixel
         std::uint32_t y = 0;
         std::uint32_t count = 0;  ///< paths drawn
-        bool is_lambertian = true;
+        float unbaked = 0.0F;     ///< share of its sky that paths tell of
         float diffuse_weight = 0.0F;
         float specular_weight = 0.0F;
         GatheredMeans sum;
@@ -111,7 +111,11 @@ private:
         Place& place = places_[at];
         if (!pixel_of(x, y, place.x, place.y)) return;
         const Surface surface = surface_of(place);
-        place.is_lambertian = surface.sheen_color == Vec3(0.0F);
+        if (surface.sheen_color != Vec3(0.0F)) {
+            // Twice the fibres' share: the paths' mean is of both lobes.
+            const Bsdf bsdf(world_.model, surface, -seen_.ray(place.x, place.y).direction);
+            place.unbaked = std::min(2.0F * bsdf.sheen_share(), 1.0F);
+        }
         points_[at] = {.position_m = surface.position_m,
                        .normal = surface.normal,
                        .spacing_m = seen_.pixel_width_at(surface.position_m) *
@@ -159,6 +163,7 @@ private:
         const Vec3 to_eye = -seen_.ray(place.x, place.y).direction;
         const Bsdf bsdf(world_.model, surface, to_eye);
         const auto weight = bsdf.environment_weight();
+        if (place.unbaked > 0.0F) count *= 2;
         const Vec3 diffuse_weight = filled(weight.diffuse);
         const Vec3 specular_weight = filled(weight.specular);
         const Cone cone{seen_.pixel_width_at(surface.position_m), seen_.pixel_spread};
@@ -340,10 +345,10 @@ private:
             if (!points_[i].is_surface) continue;
             const GatheredMeans& mean = means_[i];
             // The baked irradiance is of a cosine: fibres see another mean, which the paths know.
-            const bool is_baked = places_[i].is_lambertian;
+            const float unbaked = places_[i].unbaked;
             out.sky[i] =
-                Vec4(is_baked ? visible_share(mean.sky, mean.open) : Vec3(0.0F), mean.has_diffuse);
-            out.rest[i] = Vec4(is_baked ? mean.rest : mean.rest + mean.sky, 0.0F);
+                Vec4(visible_share(mean.sky, mean.open) * (1.0F - unbaked), mean.has_diffuse);
+            out.rest[i] = Vec4(mean.rest + mean.sky * unbaked, 0.0F);
             out.specular[i] = Vec4(mean.specular, 0.0F);
             out.guide[i] = Vec4(points_[i].position_m, packed_normal(points_[i].normal));
         }
