@@ -1,27 +1,6 @@
 // From a fragment's interpolated values to the numbers the BRDF takes: textures times factors.
 // Needs DrawBlock's `draw`, the outputs of gbuffer.vert and the FACET_ switches of frame/upload/material_key.h.
-struct Surface {
-    vec3 base_color;
-    float opacity;
-    vec3 normal;
-    float metallic;
-    float roughness;
-    float ao;
-    vec3 emissive_nit;
-#if FACET_SPECULAR
-    vec3 dielectric_f0;
-    float specular;
-#endif
-#if FACET_CLEARCOAT
-    vec3 coat_normal;
-    float coat;
-    float coat_roughness;
-#endif
-#if FACET_SHEEN
-    vec3 sheen_color;
-    float sheen_roughness;
-#endif
-};
+#include "lib/surface.glsl"
 
 in vec3 vertex_normal;
 #if FACET_TANGENTS

@@ -6,6 +6,7 @@
 #include "batch/glob.h"
 #include "scene/environment.h"
 #include "scene/light_spec.h"
+#include "scene/scene.h"
 #include "tables/material.h"
 
 #include <algorithm>
@@ -29,7 +30,7 @@ bool is_texture_path(std::string_view path) {
                                [&](const auto& row) { return row.key == key; });
 }
 
-bool is_builtin(std::string_view name) { return name.starts_with("builtin:"); }
+bool is_builtin(std::string_view name) { return name.starts_with(scene::builtin_prefix); }
 bool is_light_file_path(std::string_view path) {
     return path.starts_with("light") && path.ends_with(".file");
 }

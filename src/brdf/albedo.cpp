@@ -15,7 +15,6 @@ using tables::BrdfChoice;
 using Lobe = Terms<double>;
 using Color = Lobe::real3;
 
-constexpr double smallest_cosine = 1e-4;  // the edges stand in for what is a limit there
 constexpr double smallest_alpha = 1e-4;
 
 /// For the table, whose interpolation errs more: 5e-4 at worst, from roughness 0.03 and n.v 0.01

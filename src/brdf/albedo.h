@@ -9,6 +9,9 @@
 
 namespace facet::brdf {
 
+/// What is a limit at grazing is evaluated beside it.
+inline constexpr double smallest_cosine = 1e-4;
+
 /// RGBA f32 [size (roughness), size (n_dot_v), 4] at the places of
 /// glsl/brdf/model/albedo_coordinates.glsl: A and B of the split sum (Karis 2013, Eq. 8: albedo =
 /// F0 A + B), the mean of A + B over the hemisphere, and the albedo of the diffuse lobe for a white

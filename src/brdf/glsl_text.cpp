@@ -45,15 +45,19 @@ std::string include_lines(const tables::BrdfTerm& term, std::set<std::string_vie
     return out;
 }
 
+/// The files of what layers are of and no slot calls.
+std::string layer_includes(std::set<std::string_view>& seen) {
+    std::string out;
+    for (const tables::BrdfTerm& term : tables::brdf_terms)
+        if (term.name == "sheen_charlie") out += include_lines(term, seen);
+    return out;
+}
+
 /// Prelude, terms and slots, model: in the order that GLSL needs.
 std::string assembled(bool needs_e_l, const std::string& terms, Parts parts) {
     std::string text = fmt::format(
         "#define FACET_BRDF_NEEDS_E_L {}\n#include \"brdf/prelude.glsl\"\n", needs_e_l ? 1 : 0);
     text += terms;
-    for (const char* term : {"d_charlie", "lambda_charlie", "v_charlie"}) {  // what layers are of
-        const std::string line = fmt::format("#include \"brdf/{}.glsl\"\n", term);
-        if (terms.find(line) == std::string::npos) text += line;
-    }
     for (const char* part :
          {"albedo_coordinates", "brdf_types", "conserving", "cook_torrance", "model", "layers"})
         text += fmt::format("#include \"brdf/model/{}.glsl\"\n", part);
@@ -76,6 +80,7 @@ base::Result<std::string> glsl_text(const tables::BrdfChoice& choice, Parts part
         includes += include_lines(*term, seen);
         slots += fmt::format("{} {{ return {}; }}\n", function.signature, term->call);
     }
+    includes += layer_includes(seen);
     slots += fmt::format("bool slot_conserves() {{ return {}; }}\n", conserves);
     slots += fmt::format("bool slot_has_fresnel() {{ return {}; }}\n", has_fresnel);
     const bool needs_e_l = choice.multiscatter == tables::Multiscatter::kulla_conty;
@@ -102,6 +107,7 @@ base::Result<std::string> glsl_text_of_all() {
         slots += fmt::format("{} {{\n{}    return {}(0);\n}}\n", function.signature, body,
                              function.signature.substr(0, function.signature.find(' ')));
     }
+    includes += layer_includes(seen);
     slots += fmt::format("bool slot_has_fresnel() {{ return chosen_fresnel != {}; }}\n",
                          static_cast<int>(tables::Fresnel::none));
     slots += fmt::format(

@@ -12,8 +12,6 @@ using Lobe = Terms<double>;
 using Color = Lobe::real3;
 
 constexpr double pi = Lobe::PI;
-/// What is a limit at grazing is evaluated beside it, as the albedo table is.
-constexpr double smallest_n_dot_v = 1e-4;
 
 const HalfVectorRule& fine_rule() {
     static const HalfVectorRule rule{gauss_legendre(24), gauss_legendre(64)};
@@ -55,7 +53,7 @@ double Queries::light_albedo(double n_dot_l, double roughness) {
         for (std::size_t i = 0; i <= steps; ++i) {
             const double x = static_cast<double>(i) / steps;
             const SplitSum sum =
-                split_sum(choice_, std::max(x * x * x * x, smallest_n_dot_v), roughness);
+                split_sum(choice_, std::max(x * x * x * x, smallest_cosine), roughness);
             values.push_back(sum.a + sum.b);
         }
     const double at = std::sqrt(std::sqrt(n_dot_l)) * steps;
@@ -132,7 +130,7 @@ std::vector<Question> reflectance_questions(const tables::BrdfChoice& choice,
     Lobe terms{choice};
     const double alpha = std::max(1e-4, terms.slot_width(surface.roughness));
     QuerySurface held = surface;
-    held.n_dot_v = std::max(surface.n_dot_v, smallest_n_dot_v);
+    held.n_dot_v = std::max(surface.n_dot_v, smallest_cosine);
     std::vector<Question> out;
     over_half_vectors(rule, held.n_dot_v, alpha, [&](const LightNode& node) {
         out.push_back({QueryTerm::model_specular, held, node});

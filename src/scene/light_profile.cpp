@@ -20,7 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view builtin_lamp = "builtin:";
 constexpr std::string_view lamps = "resources/lamps";
 constexpr std::size_t max_file_bytes = std::size_t{4} << 20U;
 constexpr double max_candela = 1e9;
@@ -220,10 +219,10 @@ base::Status skip_head(Reader& in) {
 }
 
 base::Result<fs::path> path_of_lamp(const std::string& name) {
-    if (!name.starts_with(builtin_lamp)) return fs::path(name);
+    if (!name.starts_with(builtin_prefix)) return fs::path(name);
     const auto data = base::data_folder();
     if (!data) return tl::unexpected(data.error());
-    const std::string lamp = name.substr(builtin_lamp.size());
+    const std::string lamp = name.substr(builtin_prefix.size());
     const std::vector<std::string> names = builtin_lamp_names();
     if (std::ranges::find(names, lamp) != names.end()) return *data / lamps / (lamp + ".ies");
     return base::fail({.code = base::ErrorCode::usage,

@@ -16,8 +16,6 @@ namespace {
 namespace fs = std::filesystem;
 using base::ErrorCode;
 
-constexpr std::string_view builtin_prefix = "builtin:";
-
 /// The file of a built-in scene in `folder`; an empty path where there is none.
 fs::path find_builtin(const fs::path& folder, const std::string& name) {
     std::error_code error;

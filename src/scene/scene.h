@@ -12,9 +12,13 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace facet::scene {
+
+/// Names that begin so are of files that come with the program.
+inline constexpr std::string_view builtin_prefix = "builtin:";
 
 using math::Mat3;
 using math::Mat4;

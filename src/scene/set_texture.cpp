@@ -53,9 +53,7 @@ base::Status set_texture(Scene& scene, std::span<const std::size_t> materials, s
         texture = texture.value_or(Texture{});
         texture->image = *image;
     }
-    if (slot != static_cast<std::size_t>(tables::TextureSlot::normal_texture) &&
-        slot != static_cast<std::size_t>(tables::TextureSlot::clearcoat_normal_texture))
-        return {};
+    if (!tables::material_textures[slot].is_normal_map) return {};
     for (Mesh& mesh : scene.meshes)
         if (is_one_of(materials, mesh) && mesh.tangents.empty() && !mesh.uv0.empty())
             generate_tangents(mesh, 0);

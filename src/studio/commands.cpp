@@ -17,7 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view builtin = "builtin:";
 constexpr auto look_every = std::chrono::seconds(1);
 
 }  // namespace
@@ -52,15 +51,15 @@ base::Status Commands::open_scene(const Document& document) {
     for (const base::Warning& warning : tools_.stage.warnings())
         editor.say(Message::Kind::warning, base::to_line(warning));
     scene_files_.set(tools_.stage.job().reads);
-    if (!document.scene.starts_with(builtin)) tools_.config.remember(document.scene);
+    if (!document.scene.starts_with(scene::builtin_prefix)) tools_.config.remember(document.scene);
     return {};
 }
 
 fs::path Commands::scene_folder() const {
     const std::string& scene = tools_.editor.document.scene;
     std::error_code error;
-    return scene.starts_with(builtin) ? fs::current_path(error)
-                                      : fs::absolute(scene, error).parent_path();
+    return scene.starts_with(scene::builtin_prefix) ? fs::current_path(error)
+                                                    : fs::absolute(scene, error).parent_path();
 }
 
 void Commands::act(Action action) {
@@ -80,7 +79,7 @@ void Commands::choose_file(FilePurpose purpose, const std::string& name) {
 void Commands::act_file(Action action) {
     Editor& editor = tools_.editor;
     const std::string& scene = editor.document.scene;
-    const bool is_builtin = scene.starts_with(builtin);
+    const bool is_builtin = scene.starts_with(scene::builtin_prefix);
     const std::string stem = scene::stem_of(scene);
     if (action == Action::open) choose_file(FilePurpose::open_scene, "");
     if (action == Action::open_environment) choose_file(FilePurpose::open_environment, "");

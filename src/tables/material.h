@@ -45,7 +45,8 @@ enum class TextureSlot : std::size_t {
 struct MaterialTexture {
     std::string_view key;
     Space space = Space::none;
-    std::string_view gltf;  ///< JSON pointer of the textureInfo below the material
+    bool is_normal_map = false;  ///< asks for tangents, and nothing can stand in for it
+    std::string_view gltf;       ///< JSON pointer of the textureInfo below the material
     std::string_view help;
 };
 inline constexpr auto material_textures = std::to_array<MaterialTexture>({

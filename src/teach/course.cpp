@@ -20,8 +20,6 @@ namespace {
 namespace fs = std::filesystem;
 using base::ErrorCode;
 
-constexpr std::size_t most_course_bytes = std::size_t{1} << 20;
-
 base::Result<std::vector<Lesson>> chosen(const std::vector<std::string>& names) {
     if (names.empty()) return all_lessons();
     std::vector<Lesson> lessons;
@@ -129,7 +127,7 @@ base::Status make_skeleton(const fs::path& folder) {
     std::vector<std::pair<std::string, base::Bytes>> files;
     for (const char* file : {"lesson.json", "en.md", "ru.md"}) {
         auto bytes =
-            base::read_file(*data / "resources" / "teach" / "skeleton" / file, most_course_bytes);
+            base::read_file(*data / "resources" / "teach" / "skeleton" / file, most_file_bytes);
         if (!bytes) return tl::unexpected(bytes.error());
         files.emplace_back(file, std::move(*bytes));
     }

@@ -20,7 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t most_lesson_bytes = std::size_t{1} << 20;
 constexpr tables::Range any{-1e30F, 1e30F};
 
 constexpr LiveSlider sliders[] = {
@@ -293,13 +292,12 @@ base::Result<Lesson> read_lesson(const fs::path& folder) {
     lesson.folder = folder;
     lesson.name = fs::absolute(folder / "x").parent_path().filename().string();
     for (const std::string_view language : base::languages) {
-        auto text =
-            base::read_text_file(folder / fmt::format("{}.md", language), most_lesson_bytes);
+        auto text = base::read_text_file(folder / fmt::format("{}.md", language), most_file_bytes);
         if (!text) return tl::unexpected(text.error());
         lesson.texts[std::string(language)] = std::move(*text);
     }
     const fs::path path = folder / "lesson.json";
-    const auto json = base::read_text_file(path, most_lesson_bytes);
+    const auto json = base::read_text_file(path, most_file_bytes);
     if (!json) return tl::unexpected(json.error());
     if (auto parsed = parse_lesson(*json, lesson); !parsed)
         return tl::unexpected(base::in_file(parsed.error(), path.string()));

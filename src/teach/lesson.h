@@ -6,6 +6,7 @@
 #include "teach/ask.h"
 #include "teach/fields.h"
 
+#include <cstddef>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -15,6 +16,9 @@
 #include <vector>
 
 namespace facet::teach {
+
+/// Of a lesson's files, and of those that pages are made of.
+inline constexpr std::size_t most_file_bytes = std::size_t{1} << 20;
 
 /// One picture of a strip: what `facet render` makes of it, or one of its AOVs.
 struct Picture {

@@ -15,12 +15,10 @@
 namespace facet::teach {
 namespace {
 
-constexpr std::size_t most_page_bytes = std::size_t{1} << 20;
-
 base::Result<std::string> resource(const char* name) {
     const auto folder = base::data_folder();
     if (!folder) return tl::unexpected(folder.error());
-    return base::read_text_file(*folder / "resources" / "teach" / name, most_page_bytes);
+    return base::read_text_file(*folder / "resources" / "teach" / name, most_file_bytes);
 }
 
 template <class Named>

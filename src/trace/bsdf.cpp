@@ -4,6 +4,7 @@
 
 #include "brdf/light_terms.h"
 #include "brdf/sheen.h"
+#include "math/bilinear.h"
 #include "math/color.h"
 
 #include <algorithm>
@@ -32,21 +33,13 @@ Model::Model(const tables::BrdfChoice& choice)
 
 Lobes::real4 Model::albedo(float n_dot_v, float roughness) const {
     Lobes terms;
-    const auto size = static_cast<float>(table.size);
-    const Vec2 at = terms.albedo_coordinates(n_dot_v, roughness) * size - 0.5F;
-    const float x = std::clamp(at.x, 0.0F, size - 1.001F);
-    const float y = std::clamp(at.y, 0.0F, size - 1.001F);
-    const auto column = static_cast<std::size_t>(x);
-    const auto row = static_cast<std::size_t>(y);
-    const float across = x - static_cast<float>(column);
-    const float down = y - static_cast<float>(row);
-    const auto texel = [&](std::size_t r, std::size_t c) {
-        const float* t = table.texels.data() + (r * table.size + c) * 4;
-        return Lobes::real4(t[0], t[1], t[2], t[3]);
-    };
-    return (texel(row, column) * (1.0F - across) + texel(row, column + 1) * across) *
-               (1.0F - down) +
-           (texel(row + 1, column) * (1.0F - across) + texel(row + 1, column + 1) * across) * down;
+    const Vec2 size(static_cast<float>(table.size));
+    return math::bilinear(terms.albedo_coordinates(n_dot_v, roughness), size,
+                          [&](std::size_t row, std::size_t column) {
+                              const float* t =
+                                  table.texels.data() + (row * table.size + column) * 4;
+                              return Lobes::real4(t[0], t[1], t[2], t[3]);
+                          });
 }
 
 namespace {
@@ -89,25 +82,18 @@ Bsdf::Bsdf(const Model& model, const Surface& surface, const Vec3& to_eye, Draws
     numbers.specular = surface.specular;
     view_ = terms.brdf_view(numbers, n_dot_v, model.albedo(n_dot_v, surface.roughness));
     const Vec3 local = frame_.local(to_eye_);
-    sampler_ = terms.brdf_sampler(view_, {local.x, local.y, n_dot_v});
+    if (surface.sheen_color != Vec3(0.0F)) set_sheen(surface);
+    sampler_ = terms.brdf_sampler(weight_below(), {local.x, local.y, n_dot_v});
     if (draws == Draws::specular) sampler_.specular = 1.0F;
     is_mirror_ = view_.surface.alpha < mirror_alpha_max;
-    if (surface.sheen_color != Vec3(0.0F)) set_sheen(surface, draws);
     if (surface.coat > 0.0F) set_coat(surface, draws);
 }
 
-void Bsdf::set_sheen(const Surface& surface, Draws draws) {
+void Bsdf::set_sheen(const Surface& surface) {
     has_sheen_ = true;
     Lobes terms = model_->environment;
     sheen_ = terms.brdf_sheen(surface.sheen_color, surface.sheen_roughness,
                               brdf::sheen_albedo(view_.n_dot_v, surface.sheen_roughness));
-    if (draws != Draws::both) return;
-    // A metal that had none has a diffuse lobe now.
-    const Lobes::BrdfValue weight = weight_below();
-    const Vec3 all = weight.specular + weight.diffuse;
-    const float share = (weight.specular.x + weight.specular.y + weight.specular.z) /
-                        std::max(all.x + all.y + all.z, 1e-20F);
-    sampler_.specular = std::clamp(share, Lobes::LOBE_SHARE_MIN, 1.0F - Lobes::LOBE_SHARE_MIN);
 }
 
 Lobes::BrdfValue Bsdf::weight_below() const {
@@ -151,8 +137,7 @@ Lobes::BrdfValue Bsdf::values(Lobes terms, const Cosines& at) const {
     value = is_coat_alone_ ? Lobes::BrdfValue{} : terms.below_coat(coat_, value);
     if (!is_coat_mirror_ && at.coat_n_dot_l > 0.0F)
         value.specular +=
-            Vec3(terms.coat_light(coat_, at.coat_n_dot_l, at.coat_n_dot_h, at.v_dot_h) *
-                 at.coat_n_dot_l / std::max(at.n_dot_l, 1e-4F));
+            Vec3(terms.coat_light(coat_, at.n_dot_l, at.coat_n_dot_l, at.coat_n_dot_h, at.v_dot_h));
     return value;
 }
 

@@ -100,7 +100,7 @@ private:
     /// Of all layers; a mirror's lobe is not in it.
     [[nodiscard]] Lobes::BrdfValue values(Lobes terms, const Cosines& at) const;
     [[nodiscard]] float pdf(const Cosines& at) const;
-    void set_sheen(const Surface& surface, Draws draws);
+    void set_sheen(const Surface& surface);
     void set_coat(const Surface& surface, Draws draws);
     /// Weights of the environment, but the coat's own.
     [[nodiscard]] Lobes::BrdfValue weight_below() const;

@@ -68,10 +68,10 @@ SampleLight sample_light(const World& world, const Seen& seen, const IndirectPix
             const auto weight = bsdf.environment_weight();
             Vec3 specular =
                 over((light.specular_sky + light.specular_rest) * share, filled(weight.specular));
-            // Middles know nothing of a coat that is drawn for here.
-            const float most =
-                of_coat ? math::luminance(specular) : most_mirrored(middles, place_x, place_y);
-            if (const float nit = math::luminance(specular); nit > most) specular *= most / nit;
+            if (!of_coat) {  // the middles know nothing of a coat that is drawn for here
+                const float most = most_mirrored(middles, place_x, place_y);
+                if (const float nit = math::luminance(specular); nit > most) specular *= most / nit;
+            }
             out.specular[at] = Vec4(specular, of_coat ? 2.0F : 1.0F);
             if (is_intricate)
                 out.diffuse[at] = Vec4(

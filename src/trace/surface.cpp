@@ -102,11 +102,14 @@ Vec3 mapped_normal(const scene::Scene& scene, const Point& point, const Vec3& n,
     return math::normalize(unit * xy.x + b * xy.y + n * z);
 }
 
-Vec3 mesh_normal(const Mat3& normal_from_object, const Point& point) {
-    return math::normalize(normal_from_object * point.corners.mix(point.mesh.normals));
+/// With the map in `slot`, turned to the viewer: after the sides.
+Vec3 shading_normal(const scene::Scene& scene, const Mat3& normal_from_object, const Point& point,
+                    TextureSlot slot, float scale, const Surface& s) {
+    const Vec3 of_mesh =
+        math::normalize(normal_from_object * point.corners.mix(point.mesh.normals));
+    const Vec3 n = mapped_normal(scene, point, of_mesh, slot, scale) * (s.front ? 1.0F : -1.0F);
+    return std::isfinite(n.x + n.y + n.z) ? n : s.face_normal;
 }
-
-bool is_finite(const Vec3& v) { return std::isfinite(v.x + v.y + v.z); }
 
 /// glsl/lib/material.glsl's fetch_coat. After the sides.
 void fill_coat(const scene::Scene& scene, const Mat3& normal_from_object, const Point& point,
@@ -118,11 +121,9 @@ void fill_coat(const scene::Scene& scene, const Mat3& normal_from_object, const 
         s.coat *= point(TextureSlot::clearcoat_texture).x;
     if (point.has(TextureSlot::clearcoat_roughness_texture))
         s.coat_roughness *= point(TextureSlot::clearcoat_roughness_texture).y;
-    const float side = s.front ? 1.0F : -1.0F;
-    s.coat_normal = mapped_normal(scene, point, mesh_normal(normal_from_object, point),
-                                  TextureSlot::clearcoat_normal_texture, v.clearcoat_normal_scale) *
-                    side;
-    if (!is_finite(s.coat_normal)) s.coat_normal = s.face_normal;
+    s.coat_normal =
+        shading_normal(scene, normal_from_object, point, TextureSlot::clearcoat_normal_texture,
+                       v.clearcoat_normal_scale, s);
 }
 
 void fill_layers(const scene::Scene& scene, const Mat3& normal_from_object, const Point& point,
@@ -237,12 +238,9 @@ Surface surface_at(const scene::Scene& scene, const std::vector<InstanceFrame>& 
     set_sides(s, face, direction, frames[hit.instance]);
     point.set_footprint(area2, cone_m, std::fabs(math::dot(face, direction)));
     fill_material(point, s);
-    const float side = s.front ? 1.0F : -1.0F;
     const Mat3& normal_from_object = frames[hit.instance].normal_from_object;
-    s.normal = mapped_normal(scene, point, mesh_normal(normal_from_object, point),
-                             TextureSlot::normal_texture, point.material.values.normal_scale) *
-               side;
-    if (!is_finite(s.normal)) s.normal = s.face_normal;
+    s.normal = shading_normal(scene, normal_from_object, point, TextureSlot::normal_texture,
+                              point.material.values.normal_scale, s);
     fill_layers(scene, normal_from_object, point, s);
     return s;
 }

@@ -235,7 +235,8 @@ TEST(ModelLaws, ACoatOverAWhiteSurfaceLosesNothing) {
                         const double n_dot_l = (i + 0.5) / side;
                         const PairOfDirections at(n_dot_v, n_dot_l, (j + 0.5) * 180 / side);
                         reflected +=
-                            lobe.coat_light(coat, at.n_dot_l, at.n_dot_h, at.v_dot_h) * n_dot_l;
+                            lobe.coat_light(coat, at.n_dot_l, at.n_dot_l, at.n_dot_h, at.v_dot_h) *
+                            n_dot_l;
                     }
                 EXPECT_NEAR(reflected * 2 * test::pi / (side * side), coat.albedo, 2e-3)
                     << "roughness " << coat_roughness << " n.v " << n_dot_v;

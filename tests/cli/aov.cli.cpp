@@ -18,10 +18,7 @@ constexpr const char* first_light = "directional:azimuth=60,elevation=30,lux=1";
 constexpr const char* strong_light = "directional:azimuth=-80,elevation=10,lux=9000";
 
 std::vector<std::string> render_spheres(const std::string& output, std::vector<std::string> more) {
-    std::vector<std::string> all{"render",    "builtin:spheres", "--size", "48x32",
-                                 "--quality", "draft",           "-o",     output};
-    all.insert(all.end(), more.begin(), more.end());
-    return all;
+    return support::draft_render("builtin:spheres", output, std::move(more));
 }
 
 TEST(AovOption, AllGivesASideFileARow) {

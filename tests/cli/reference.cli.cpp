@@ -17,10 +17,7 @@ using support::TemporaryFolder;
 using support::text_of;
 
 std::vector<std::string> render_cornell(const std::string& output, std::vector<std::string> more) {
-    std::vector<std::string> all{"render",    "builtin:cornell", "--size", "48x32",
-                                 "--quality", "draft",           "-o",     output};
-    all.insert(all.end(), more.begin(), more.end());
-    return all;
+    return support::draft_render("builtin:cornell", output, std::move(more));
 }
 
 image::Picture picture(const std::filesystem::path& path) {

@@ -8,20 +8,6 @@
 namespace facet::render {
 namespace {
 
-Request layered_ball(std::vector<std::string> edits) {
-    Request request{.scene = "builtin:ball"};
-    tables::Settings& s = request.settings;
-    s.size = {80, 60};
-    s.env = "studio";
-    s.background = "none";
-    s.tonemap = "none";
-    s.exposure = "0.5";
-    s.set = std::move(edits);
-    s.set.insert(s.set.end(), {"material.ball.base_color=0.5 0.02 0.02", "material.ball.metallic=0",
-                               "material.ball.roughness=0.6"});
-    return request;
-}
-
 struct Lit {
     const char* light;
     const char* env;
@@ -31,9 +17,12 @@ constexpr Lit every_light[] = {
     {"directional:azimuth=40,elevation=50,lux=3", "black"},
     {"rect:position=1.6 2.6 2.2,target=0 0.5 0,nit=60,width=1,height=0.5", "black"}};
 
+/// Of the ball in red plastic with `edits` over it.
 double rmse(const Lit& by, const char* shadows, std::vector<std::string> edits) {
-    Request request = layered_ball(std::move(edits));
-    request.settings.env = by.env;
+    Request request = test::small_request("builtin:ball", by.env);
+    edits.insert(edits.end(), {"material.ball.base_color=0.5 0.02 0.02", "material.ball.metallic=0",
+                               "material.ball.roughness=0.6"});
+    request.settings.set = std::move(edits);
     if (*by.light != '\0') request.settings.light = {by.light};
     request.settings.shadows = shadows;
     request.settings.reference = "128";

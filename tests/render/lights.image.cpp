@@ -14,12 +14,8 @@ namespace {
 
 /// RMSE of a ball in one light alone, against the reference; 1 where it is not drawn.
 double error_of(const std::string& light, const char* shadows, const char* exposure) {
-    Request request{.scene = "builtin:ball"};
+    Request request = test::small_request("builtin:ball", "black");
     tables::Settings& s = request.settings;
-    s.size = {80, 60};
-    s.env = "black";
-    s.background = "none";
-    s.tonemap = "none";
     s.exposure = exposure;
     s.shadows = shadows;
     s.light = {light};

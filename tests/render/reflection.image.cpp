@@ -15,14 +15,8 @@ namespace facet::render {
 namespace {
 
 Request quick(std::string scene) {
-    Request request{.scene = std::move(scene)};
-    tables::Settings& s = request.settings;
-    s.size = {80, 60};
-    s.env = "overcast";
-    s.background = "none";
-    s.tonemap = "none";
-    s.exposure = "0.5";
-    s.light = {"directional:azimuth=40,elevation=50,lux=2"};
+    Request request = test::small_request(std::move(scene), "overcast");
+    request.settings.light = {"directional:azimuth=40,elevation=50,lux=2"};
     return request;
 }
 

@@ -111,4 +111,13 @@ inline std::size_t line_count(std::string_view text) {
     return lines;
 }
 
+/// The words of a small and quick `facet render`.
+inline std::vector<std::string> draft_render(const std::string& scene, const std::string& output,
+                                             std::vector<std::string> more) {
+    std::vector<std::string> all{"render",    scene,   "--size", "48x32",
+                                 "--quality", "draft", "-o",     output};
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+}
+
 }  // namespace facet::support

@@ -7,8 +7,23 @@
 #include <gtest/gtest.h>
 
 #include <optional>
+#include <string>
+#include <utility>
 
 namespace facet::test {
+
+/// A small picture on nothing, at a fixed exposure: what an error against the reference is taken
+/// of.
+inline render::Request small_request(std::string scene, std::string env) {
+    render::Request request{.scene = std::move(scene)};
+    tables::Settings& s = request.settings;
+    s.size = {80, 60};
+    s.env = std::move(env);
+    s.background = "none";
+    s.tonemap = "none";
+    s.exposure = "0.5";
+    return request;
+}
 
 /// Nothing, and a failure of the test, where it is not drawn.
 inline std::optional<render::Rendered> rendered(const render::Request& request) {

@@ -29,12 +29,14 @@ BrdfValue below_coat(BrdfCoat coat, BrdfValue base) {
     return value;
 }
 
+// base_n_dot_l               [0, 1]  the cosine that the caller multiplies with
 // n_dot_l, n_dot_h, v_dot_h  [0, 1]  with the coat's own normal
-// returns                    [1/sr]  times the coat's strength, without the cosine
-real coat_light(BrdfCoat coat, real n_dot_l, real n_dot_h, real v_dot_h) {
+// returns                    [1/sr]  times the coat's strength, and its own cosine over the base's
+real coat_light(BrdfCoat coat, real base_n_dot_l, real n_dot_l, real n_dot_h, real v_dot_h) {
     real d_v = slot_distribution(n_dot_h, coat.alpha) *
                slot_masking(coat.n_dot_v, n_dot_l, coat.roughness, coat.alpha);
-    return coat.strength * d_v * slot_fresnel(real3(DIELECTRIC_F0), real3(real(1.0)), v_dot_h).x;
+    real f = coat.strength * d_v * slot_fresnel(real3(DIELECTRIC_F0), real3(real(1.0)), v_dot_h).x;
+    return f * n_dot_l / max(base_n_dot_l, real(1e-4));
 }
 
 // A coat of roughness 0: share of the light from its mirrored direction that it sends to the viewer.

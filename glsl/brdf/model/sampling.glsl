@@ -6,8 +6,8 @@ struct BrdfSampler {
     real specular;  // [0, 1] share of the samples that the specular lobe gets
 };
 
-BrdfSampler brdf_sampler(BrdfView view, real3 v) {
-    BrdfValue weight = brdf_environment(view);
+// weight  the environment's, of all that is sampled
+BrdfSampler brdf_sampler(BrdfValue weight, real3 v) {
     real diffuse = weight.diffuse.x + weight.diffuse.y + weight.diffuse.z;
     real specular = weight.specular.x + weight.specular.y + weight.specular.z;
     BrdfSampler s;
@@ -17,6 +17,7 @@ BrdfSampler brdf_sampler(BrdfView view, real3 v) {
     if (diffuse > real(0.0)) s.specular = clamp(s.specular, LOBE_SHARE_MIN, real(1.0) - LOBE_SHARE_MIN);
     return s;
 }
+BrdfSampler brdf_sampler(BrdfView view, real3 v) { return brdf_sampler(brdf_environment(view), v); }
 
 // u        [0, 1)^2  uniform
 // lobe     [0, 1)    uniform; chooses the lobe

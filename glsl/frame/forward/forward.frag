@@ -25,25 +25,8 @@ void main() {
     float coverage = FACET_BLEND == 1 ? s.opacity : 1.0;
     ShadePoint p;
     p.position_m = vertex_position_m;
-    p.normal = s.normal;
     p.to_eye = view.eye_m.w > 0.5 ? normalize(view.eye_m.xyz - vertex_position_m) : -view.forward.xyz;
-    p.base_color = s.base_color;
-    p.metallic = s.metallic;
-    p.roughness = s.roughness;
-    p.ao = s.ao;
-#if FACET_SPECULAR
-    p.dielectric_f0 = s.dielectric_f0;
-    p.specular = s.specular;
-#endif
-#if FACET_CLEARCOAT
-    p.coat_normal = s.coat_normal;
-    p.coat = s.coat;
-    p.coat_roughness = s.coat_roughness;
-#endif
-#if FACET_SHEEN
-    p.sheen_color = s.sheen_color;
-    p.sheen_roughness = s.sheen_roughness;
-#endif
+    p.surface = s;
 #ifdef FACET_EXPLAIN
     explain_begin(FACET_BLEND == 1 ? EXPLAIN_BLEND : EXPLAIN_LAYERS, draw.ids.w, uint(gl_PrimitiveID));
     explain_surface(s);

@@ -13,17 +13,16 @@ vec3 in_box(vec3 position_m, vec3 direction) {
 }
 
 #if FACET_ENVIRONMENT && !FACET_INDIRECT
-// What a lobe around the mirrored direction shows of the environment, nit. w: the surface's weights.
-vec3 mirrored_environment(ShadePoint p, vec3 normal, float roughness, BrdfValue w) {
+// What a lobe around the mirrored direction shows of the environment, nit. w: the surface's weights; occlusion: the mean open
+// direction and its share, of FACET_OCCLUSION.
+vec3 mirrored_environment(ShadePoint p, vec3 normal, float roughness, BrdfValue w, vec4 occlusion) {
     vec3 mirrored = reflect(-p.to_eye, normal);
     float level = roughness * view.environment.x;
     vec3 nit = textureLod(radiance_cube, in_box(p.position_m, mirrored), level).rgb * view.environment.y;
 #if FACET_OCCLUSION
-    vec4 occlusion = texelFetch(ambient_occlusion, ivec2(gl_FragCoord.xy), 0);
-    float open = min(occlusion.w, p.ao);
     // What stands in the mirror's way is taken to be of the surface's own kind, and lit from this side.
     vec3 in_the_way = irradiance_over_pi(-mirrored) * (w.diffuse + w.specular);
-    nit = mix(in_the_way, nit, specular_visible(vec4(occlusion.xyz, open), normal, mirrored, roughness));
+    nit = mix(in_the_way, nit, specular_visible(occlusion, normal, mirrored, roughness));
 #endif
     return nit;
 }

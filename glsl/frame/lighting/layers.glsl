@@ -8,11 +8,11 @@ struct CoatPoint {
 CoatPoint coat;  // of the point at hand
 
 CoatPoint coat_point(ShadePoint p) {
-    float n_dot_v = clamp(dot(p.coat_normal, p.to_eye), N_DOT_V_MIN, 1.0);
-    float roughness = max(p.coat_roughness, ROUGHNESS_MIN);
+    float n_dot_v = clamp(dot(p.surface.coat_normal, p.to_eye), N_DOT_V_MIN, 1.0);
+    float roughness = max(p.surface.coat_roughness, ROUGHNESS_MIN);
     vec2 a_b = textureLod(albedo_table, albedo_coordinates(n_dot_v, roughness), 0.0).xy;
-    return CoatPoint(brdf_coat(p.coat, roughness, n_dot_v, a_b.x, a_b.y), p.coat_normal,
-                     p.coat_roughness < MIRROR_ROUGHNESS);
+    return CoatPoint(brdf_coat(p.surface.coat, roughness, n_dot_v, a_b.x, a_b.y), p.surface.coat_normal,
+                     p.surface.coat_roughness < MIRROR_ROUGHNESS);
 }
 #endif
 #if FACET_SHEEN
@@ -24,14 +24,14 @@ void set_layers(ShadePoint p, float n_dot_v) {
 #if FACET_CLEARCOAT
     coat = coat_point(p);
 #ifdef FACET_EXPLAIN
-    explained.coat = vec4(p.coat, p.coat_roughness, coat.brdf.albedo, 0.0);
+    explained.coat = vec4(p.surface.coat, p.surface.coat_roughness, coat.brdf.albedo, 0.0);
 #endif
 #endif
 #if FACET_SHEEN
-    vec2 at = sheen_coordinates(n_dot_v, p.sheen_roughness, vec2(textureSize(sheen_table, 0)));
-    sheen = brdf_sheen(p.sheen_color, p.sheen_roughness, textureLod(sheen_table, at, 0.0).r);
+    vec2 at = sheen_coordinates(n_dot_v, p.surface.sheen_roughness, vec2(textureSize(sheen_table, 0)));
+    sheen = brdf_sheen(p.surface.sheen_color, p.surface.sheen_roughness, textureLod(sheen_table, at, 0.0).r);
 #ifdef FACET_EXPLAIN
-    explained.sheen = vec4(sheen.albedo, p.sheen_roughness);
+    explained.sheen = vec4(sheen.albedo, p.surface.sheen_roughness);
 #endif
 #endif
 }
@@ -45,7 +45,7 @@ BrdfValue layered(BrdfValue f, vec3 to_light, vec3 h, float n_dot_v, float n_dot
     f = below_coat(coat.brdf, f);
     float coat_n_dot_l = clamp(dot(coat.normal, to_light), 0.0, 1.0);
     float coat_n_dot_h = clamp(dot(coat.normal, h), 0.0, 1.0);
-    float on_coat = coat_light(coat.brdf, coat_n_dot_l, coat_n_dot_h, v_dot_h) * coat_n_dot_l / max(n_dot_l, 1e-4);
+    float on_coat = coat_light(coat.brdf, n_dot_l, coat_n_dot_l, coat_n_dot_h, v_dot_h);
     f.specular += coat.is_mirror && !has_size ? 0.0 : on_coat;
 #endif
     return f;
@@ -61,6 +61,15 @@ BrdfValue below_layers(BrdfValue w) {
 #endif
     return w;
 }
+
+#if FACET_CLEARCOAT
+// Mean of what the lobes of base and coat show, by their weights. w: the base's; the coat's is added.
+vec3 with_coat(inout BrdfValue w, vec3 on_base, vec3 on_coat) {
+    vec3 both = w.specular * on_base + coat.brdf.albedo * on_coat;
+    w.specular += coat.brdf.albedo;
+    return both / max(w.specular, vec3(1e-20));
+}
+#endif
 
 float coat_albedo() {
 #if FACET_CLEARCOAT

@@ -33,16 +33,16 @@ void main() {
 
     ShadePoint p;
     p.position_m = world_from_depth(view.world_from_clip, gl_FragCoord.xy * view.size_px.zw, depth);
-    p.normal = unit_from_octahedral(texelFetch(gbuffer_normal, pixel, 0).rg);
+    p.surface.normal = unit_from_octahedral(texelFetch(gbuffer_normal, pixel, 0).rg);
     p.to_eye = view.eye_m.w > 0.5 ? normalize(view.eye_m.xyz - p.position_m) : -view.forward.xyz;
-    p.base_color = albedo.rgb;
-    p.metallic = metal_rough_ao.r;
-    p.roughness = metal_rough_ao.g;
-    p.ao = metal_rough_ao.b;
+    p.surface.base_color = albedo.rgb;
+    p.surface.metallic = metal_rough_ao.r;
+    p.surface.roughness = metal_rough_ao.g;
+    p.surface.ao = metal_rough_ao.b;
 #if FACET_SPECULAR
     vec4 specular = texelFetch(gbuffer_specular, pixel, 0);
-    p.dielectric_f0 = specular.rgb;
-    p.specular = specular.a;
+    p.surface.dielectric_f0 = specular.rgb;
+    p.surface.specular = specular.a;
 #endif
 #ifdef FACET_EXPLAIN
     // Drawn at the far plane: what is no surface is tested away only after it has run.
@@ -55,11 +55,11 @@ void main() {
 #if FACET_EMISSIVE_TARGET
     emissive_nit = texelFetch(gbuffer_emissive, pixel, 0).rgb;
 #endif
-    add_emission(p.base_color, albedo.a, emissive_nit);
+    add_emission(p.surface.base_color, albedo.a, emissive_nit);
     FACET_WRITE_PATHS(1.0)
 #else
     // albedo.a is 1 where KHR_materials_unlit asks for the base colour itself.
-    vec3 radiance = mix(shade(p), p.base_color, albedo.a);
+    vec3 radiance = mix(shade(p), p.surface.base_color, albedo.a);
 #if FACET_EMISSIVE_TARGET
     radiance += texelFetch(gbuffer_emissive, pixel, 0).rgb;
 #endif

@@ -1,6 +1,7 @@
 // Light on one surface point: every light, and the environment. Used by the lighting pass and the blend pass.
 #include "generated/brdf.glsl"
 #include "lib/shading_bounds.glsl"
+#include "lib/surface.glsl"
 #include "light/directional.glsl"
 #include "light/point.glsl"
 #include "light/spot.glsl"
@@ -33,25 +34,8 @@ uniform samplerBuffer light_visibility;  // [slot, pixel]: share of a light that
 
 struct ShadePoint {
     vec3 position_m;
-    vec3 normal;
     vec3 to_eye;
-    vec3 base_color;
-    float metallic;
-    float roughness;
-    float ao;
-#if FACET_SPECULAR
-    vec3 dielectric_f0;
-    float specular;
-#endif
-#if FACET_CLEARCOAT
-    vec3 coat_normal;
-    float coat;
-    float coat_roughness;
-#endif
-#if FACET_SHEEN
-    vec3 sheen_color;
-    float sheen_roughness;
-#endif
+    Surface surface;
 };
 #include "frame/lighting/layers.glsl"
 
@@ -74,19 +58,19 @@ float explain_distance_m = 0.0;  // to the light at hand; 0: infinitely far
 
 // visible: share of the light that arrives; has_size: mirrors show it.
 vec3 lit_by(ShadePoint p, BrdfView brdf, vec3 to_light, vec3 illuminance, float visible, bool has_size) {
-    float n_dot_l = clamp(dot(p.normal, to_light), 0.0, 1.0);
+    float n_dot_l = clamp(dot(p.surface.normal, to_light), 0.0, 1.0);
     vec3 sum = p.to_eye + to_light;
     vec3 h = sum * inversesqrt(max(dot(sum, sum), 1e-12));
-    float n_dot_h = clamp(dot(p.normal, h), 0.0, 1.0);
+    float n_dot_h = clamp(dot(p.surface.normal, h), 0.0, 1.0);
     float v_dot_h = clamp(dot(p.to_eye, h), 0.0, 1.0);
 #if FACET_BRDF_NEEDS_E_L
-    vec2 at = albedo_coordinates(n_dot_l, max(p.roughness, ROUGHNESS_MIN));
+    vec2 at = albedo_coordinates(n_dot_l, max(p.surface.roughness, ROUGHNESS_MIN));
     vec2 a_b = textureLod(albedo_table, at, 0.0).xy;
     BrdfValue f = brdf_light(brdf, n_dot_l, n_dot_h, v_dot_h, a_b.x + a_b.y);
 #else
     BrdfValue f = brdf_light(brdf, n_dot_l, n_dot_h, v_dot_h, 1.0);
 #endif
-    float mirrored = has_size || p.roughness >= MIRROR_ROUGHNESS ? 1.0 : 0.0;
+    float mirrored = has_size || p.surface.roughness >= MIRROR_ROUGHNESS ? 1.0 : 0.0;
     f.specular *= mirrored;
     f = layered(f, to_light, h, brdf.n_dot_v, n_dot_l, n_dot_h, v_dot_h, has_size);
 #ifdef FACET_EXPLAIN
@@ -118,8 +102,8 @@ vec3 lit_by(ShadePoint p, BrdfView brdf, vec3 to_light, vec3 illuminance, float 
 // taken to be lit), or by its map. light: in the packed order; from_light: metres, from its middle.
 float light_visible(uint slot, int light, ShadePoint p, vec3 from_light) {
 #if FACET_SHADOW_MAPS
-    float n_dot_l = -dot(p.normal, from_light) * inversesqrt(max(dot(from_light, from_light), 1e-20));
-    return shadow_share(light, p.position_m, p.normal, from_light, clamp(n_dot_l, 0.0, 1.0));
+    float n_dot_l = -dot(p.surface.normal, from_light) * inversesqrt(max(dot(from_light, from_light), 1e-20));
+    return shadow_share(light, p.position_m, p.surface.normal, from_light, clamp(n_dot_l, 0.0, 1.0));
 #elif FACET_VISIBILITY
     if (slot >= view.rays.y) return 1.0;
     uvec2 pixel = uvec2(gl_FragCoord.xy);
@@ -167,11 +151,11 @@ uint next_light(uint index, uint end, vec3 position_m) {
 #endif
 
 vec3 shade(ShadePoint p) {
-    float n_dot_v = clamp(dot(p.normal, p.to_eye), N_DOT_V_MIN, 1.0);
-    BrdfSurface surface = brdf_surface(p.base_color, p.metallic, max(p.roughness, ROUGHNESS_MIN));
+    float n_dot_v = clamp(dot(p.surface.normal, p.to_eye), N_DOT_V_MIN, 1.0);
+    BrdfSurface surface = brdf_surface(p.surface.base_color, p.surface.metallic, max(p.surface.roughness, ROUGHNESS_MIN));
 #if FACET_SPECULAR
-    surface.dielectric_f0 = p.dielectric_f0;
-    surface.specular = p.specular;
+    surface.dielectric_f0 = p.surface.dielectric_f0;
+    surface.specular = p.surface.specular;
 #endif
     vec4 albedo = textureLod(albedo_table, albedo_coordinates(n_dot_v, surface.roughness), 0.0);
     BrdfView brdf = brdf_view(surface, n_dot_v, albedo);
@@ -180,11 +164,11 @@ vec3 shade(ShadePoint p) {
     vec3 radiance = vec3(0.0);
 #ifdef FACET_EXPLAIN
     explained.position.xyz = p.position_m;
-    explained.normal = vec4(p.normal, n_dot_v);
+    explained.normal = vec4(p.surface.normal, n_dot_v);
     explained.to_eye = vec4(p.to_eye, 0.0);
     explained.albedo = albedo;
-    explained.base_color.rgb = p.base_color;
-    explained.numbers = vec4(p.metallic, p.roughness, p.ao, surface.roughness);
+    explained.base_color.rgb = p.surface.base_color;
+    explained.numbers = vec4(p.surface.metallic, p.surface.roughness, p.surface.ao, surface.roughness);
     BrdfValue balance = below_layers(brdf_environment(brdf));
     balance.specular += coat_albedo();
     explained.environment_diffuse = vec4(balance.diffuse, 0.0);
@@ -192,15 +176,13 @@ vec3 shade(ShadePoint p) {
 #endif
 #if FACET_INDIRECT
     BrdfValue w = below_layers(brdf_environment(brdf));
-    IndirectLight found = indirect_light(p.position_m, p.normal);
+    IndirectLight found = indirect_light(p.position_m, p.surface.normal);
 #if FACET_CLEARCOAT
-    found.specular *= w.specular;
-    w.specular += coat.brdf.albedo;
-    found.specular = (found.specular + coat.brdf.albedo * found.coat) / max(w.specular, vec3(1e-20));
+    found.specular = with_coat(w, found.specular, found.coat);
 #endif
     vec3 arriving = found.rest;
 #if FACET_ENVIRONMENT
-    arriving += irradiance_over_pi(p.normal) * found.sky;
+    arriving += irradiance_over_pi(p.surface.normal) * found.sky;
 #endif
     radiance = w.diffuse * arriving + w.specular * found.specular;
 #ifdef FACET_EXPLAIN
@@ -214,26 +196,28 @@ vec3 shade(ShadePoint p) {
 #endif
 #elif FACET_ENVIRONMENT
     BrdfValue w = below_layers(brdf_environment(brdf));
-    vec3 prefiltered = mirrored_environment(p, p.normal, p.roughness, w);
-#if FACET_CLEARCOAT
-    vec3 on_coat = mirrored_environment(p, p.coat_normal, p.coat_roughness, w) * coat.brdf.albedo;
-    on_coat += w.specular * prefiltered;
-    w.specular += coat.brdf.albedo;
-    prefiltered = on_coat / max(w.specular, vec3(1e-20));
-#endif
 #if FACET_OCCLUSION
     vec4 occlusion = texelFetch(ambient_occlusion, ivec2(gl_FragCoord.xy), 0);
-    vec3 irradiance = irradiance_over_pi(occlusion.xyz) * with_bounces(min(occlusion.w, p.ao), w.diffuse);
+    occlusion.w = min(occlusion.w, p.surface.ao);
     float ao = 1.0;
 #else
-    vec3 irradiance = irradiance_over_pi(p.normal);
-    float ao = p.ao;
+    vec4 occlusion = vec4(p.surface.normal, 1.0);
+    float ao = p.surface.ao;
+#endif
+    vec3 prefiltered = mirrored_environment(p, p.surface.normal, p.surface.roughness, w, occlusion);
+#if FACET_CLEARCOAT
+    vec3 on_coat = mirrored_environment(p, p.surface.coat_normal, p.surface.coat_roughness, w, occlusion);
+    prefiltered = with_coat(w, prefiltered, on_coat);
+#endif
+    vec3 irradiance = irradiance_over_pi(occlusion.xyz);
+#if FACET_OCCLUSION
+    irradiance *= with_bounces(occlusion.w, w.diffuse);
 #endif
     radiance = (w.diffuse * irradiance + w.specular * prefiltered) * ao;
 #ifdef FACET_EXPLAIN
     explained.numbers.z = ao;
     explained.irradiance = vec4(irradiance, 0.0);
-    explained.prefiltered = vec4(prefiltered, p.roughness * view.environment.x);
+    explained.prefiltered = vec4(prefiltered, p.surface.roughness * view.environment.x);
 #endif
 #if FACET_LIGHT_PATHS
     paths.diffuse_indirect = w.diffuse * irradiance * ao;
@@ -278,10 +262,10 @@ vec3 shade(ShadePoint p) {
         i = next_light(i + 1u, end, p.position_m);
     }
 #if FACET_AREA_LIGHTS
-    AreaView area_point = area_view(p.to_eye, p.normal, p.roughness, n_dot_v);
+    AreaView area_point = area_view(p.to_eye, p.surface.normal, p.surface.roughness, n_dot_v);
     BrdfValue area_weight = below_layers(brdf_environment(brdf));
 #if FACET_CLEARCOAT
-    AreaView coat_area = area_view(p.to_eye, p.coat_normal, p.coat_roughness, coat.brdf.n_dot_v);
+    AreaView coat_area = area_view(p.to_eye, p.surface.coat_normal, p.surface.coat_roughness, coat.brdf.n_dot_v);
     BrdfValue coat_weight = BrdfValue(vec3(0.0), vec3(coat.brdf.albedo));
 #endif
     uint area_end = end + (list.y >> 16u);

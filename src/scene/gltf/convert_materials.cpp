@@ -205,10 +205,11 @@ void convert_materials(Import& import) {
 
 void drop_missing_normal_maps(Scene& scene) {
     for (Material& material : scene.materials)
-        for (const TextureSlot slot :
-             {TextureSlot::normal_texture, TextureSlot::clearcoat_normal_texture}) {
-            auto& map = material.textures[static_cast<std::size_t>(slot)];
-            if (map && scene.images[map->image.index].pixels == nullptr) map = std::nullopt;
+        for (std::size_t slot = 0; slot < material.textures.size(); ++slot) {
+            auto& map = material.textures[slot];
+            if (map && tables::material_textures[slot].is_normal_map &&
+                scene.images[map->image.index].pixels == nullptr)
+                map = std::nullopt;
         }
 }
 

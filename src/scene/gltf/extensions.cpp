@@ -5,7 +5,6 @@
 #include "tables/gltf_features.h"
 
 #include <algorithm>
-#include <array>
 
 namespace facet::scene::gltf {
 namespace {

@@ -61,9 +61,11 @@ void complete_normals(Import& import, const std::string& where, Mesh& mesh) {
 /// Tangents only where the material has a normal map: given ones, else those of MikkTSpace.
 void complete_tangents(const Import& import, Mesh& mesh) {
     const Material& material = import.scene.materials[mesh.material.index];
-    const auto& base = material.texture(tables::TextureSlot::normal_texture);
-    const auto& map = base ? base : material.texture(tables::TextureSlot::clearcoat_normal_texture);
-    if (!map) {
+    const Texture* map = nullptr;
+    for (std::size_t slot = 0; map == nullptr && slot < material.textures.size(); ++slot)
+        if (material.textures[slot] && tables::material_textures[slot].is_normal_map)
+            map = &*material.textures[slot];
+    if (map == nullptr) {
         mesh.tangents.clear();
         return;
     }
