@@ -52,7 +52,10 @@ rest() {
     done
 }
 shot() { rest; mv a.xwd "$1"; }
-drag() { xdotool mousemove $1 $2 mousedown 1 sleep 0.1 mousemove $3 $4 sleep 0.1 mouseup 1; }
+# Each step in a frame of its own, on a busy machine too: what comes within one frame is no drag.
+drag() {
+    xdotool mousemove $1 $2 sleep 0.5 mousedown 1 sleep 0.5 mousemove $3 $4 sleep 0.5 mouseup 1
+}
 start )" + arguments + "\n" + steps;
     folder.write("hands.sh", script);
     return support::run({"/bin/sh", "hands.sh"}, {.folder = folder.path()});
