@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-# Holds the sources to docs/house.md: floors, cycles, twins, tables, GL calls, terms. Prints every breach.
+# Holds the sources to docs/house.md: floors, cycles, twins, tables, GL calls, terms, headers. Prints every breach.
 # SPDX-License-Identifier: MIT
 import re
 import sys
@@ -111,6 +111,17 @@ def check_terms(root, no_term):
         yield f"{table.name}: names {name}, but there is no glsl/brdf/{name}.glsl"
 
 
+def check_header_names(root):
+    """src/, glsl/ and tests/ are all searched for headers, so one path in two of them hides a header."""
+    seen = {}
+    for folder in ("src", "glsl", "tests"):
+        for path in sorted((root / folder).rglob("*.h")):
+            name = path.relative_to(root / folder)
+            if name in seen:
+                yield f"{path}: hides {seen[name]}"
+            seen.setdefault(name, path)
+
+
 def breaches(root):
     src = root / "src"
     floors, without_shaders, no_term = read_house(root)
@@ -123,6 +134,7 @@ def breaches(root):
     yield from check_tables(files, src)
     yield from check_gl_calls(files, src)
     yield from check_terms(root, no_term)
+    yield from check_header_names(root)
 
 
 def main():

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-# Makes resources/scenes/*.glb and resources/lamps/*.ies from nothing, the same bytes on every run: make_resources.py NAME...
+# Makes the scenes, lamps and textures of resources/ from nothing, the same bytes on every run: make_resources.py NAME...
 # SPDX-License-Identifier: MIT
 # Needs Debian's python3-numpy and python3-pil; what it makes is committed, so a build needs
 # neither.
 import sys
 from pathlib import Path
 
-from make_resources import check, cornell, grids, lamps, showcase
+from make_resources import check, cornell, grids, lamps, ramps, relief, showcase, subsurface
 
 COPYRIGHT = "CC0-1.0, the Facet project"
 SCENES = {
@@ -15,18 +15,25 @@ SCENES = {
     "spheres": grids.spheres,
     "cornell": cornell.build,
     "furnace": grids.furnace,
+    "relief": relief.build,
+    "subsurface": subsurface.build,
 }
 
 
 def main(names):
     resources = Path(__file__).resolve().parent.parent / "resources"
-    known = [*SCENES, *lamps.LAMPS]
+    known = [*SCENES, *lamps.LAMPS, *ramps.TEXTURES]
     for name in names or known:
         if name not in known:
             sys.exit(f"make_resources: no {name}; there are {' '.join(known)}")
         if name in lamps.LAMPS:
             target = resources / "lamps" / f"{name}.ies"
             target.write_text(lamps.LAMPS[name]())
+            print(target)
+            continue
+        if name in ramps.TEXTURES:
+            target = resources / "textures" / f"{name}.png"
+            target.write_bytes(ramps.TEXTURES[name]())
             print(target)
             continue
         data = SCENES[name](COPYRIGHT)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-# Draws docs/materials.png, a ball of every preset of resources/materials: materials_sheet.py [--facet build/facet] (a minute;
+# Draws docs/materials.png, a ball of every preset of resources/materials: materials_sheet.py [--facet build/facet] (two minutes;
 # needs python3-pil).
 # SPDX-License-Identifier: MIT
 import argparse
@@ -26,8 +26,8 @@ def main():
         for i, preset in enumerate(presets):
             picture = Path(folder) / f"{preset.stem}.png"
             subprocess.run([options.facet, "render", "builtin:ball", "--material", f"ball={preset.stem}", "--size",
-                            f"{SIDE_PX}x{SIDE_PX}", "--exposure", "1", "--background", "#3a3a3a", "-q", "-o", str(picture)],
-                           check=True)
+                            f"{SIDE_PX}x{SIDE_PX}", "--quality", "final", "--exposure", "1", "--background", "#3a3a3a", "-q",
+                            "-o", str(picture)], check=True)
             x, y = i % ACROSS * SIDE_PX, i // ACROSS * (SIDE_PX + LABEL_PX)
             sheet.paste(Image.open(picture).convert("RGB"), (x, y))
             name = json.loads(preset.read_text())["name"]

@@ -21,4 +21,23 @@ struct Surface {
     vec3 sheen_color;
     float sheen_roughness;
 #endif
+#if FACET_TRANSMISSION
+    float transmission;
+    float thickness_m;  // 0: a thin wall
+    float ior;
+    vec3 absorbed_per_m;
+#endif
+#if FACET_DIFFUSE_TRANSMISSION
+    vec3 far_color;
+    float far_share;  // of diffuse light
+#endif
+#if FACET_ANISOTROPY
+    vec3 tangent;  // unit, square to the normal; highlights are long along it
+    float anisotropy;
+#endif
+#if FACET_IRIDESCENCE
+    float film;
+    float film_ior;
+    float film_nm;
+#endif
 };

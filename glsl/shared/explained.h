@@ -20,9 +20,11 @@ struct ExplainedSurface {
     vec4 prefiltered;          // nit; before occlusion
     vec4 environment_diffuse;  // weights of the two
     vec4 environment_specular;
-    vec4 coat;      // of layers: strength, roughness, albedo at n.v, unused; all 0 without
-    vec4 sheen;     // albedo at n.v, rgb; roughness
-    vec4 radiance;  // what the surface shows in nit, before its opacity
+    vec4 coat;        // of layers: strength, roughness, albedo at n.v, unused; all 0 without
+    vec4 sheen;       // albedo at n.v, rgb; roughness
+    vec4 far_nit;     // rgb: light from the surface's far side,
+    vec4 far_weight;  // and the factor on light from everywhere there
+    vec4 radiance;    // what the surface shows in nit, before its opacity
 };
 struct ExplainedLight {
     uvec4 which;           // index of the surface's record, of the scene's light, unused

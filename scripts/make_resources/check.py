@@ -9,7 +9,15 @@ from PIL import Image
 
 COMPONENTS = {5123: ("<u2", 2), 5125: ("<u4", 4), 5126: ("<f4", 4)}
 COUNTS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}
-EXTENSIONS = {"KHR_lights_punctual", "KHR_materials_emissive_strength", "KHR_texture_transform"}
+EXTENSIONS = {
+    "KHR_lights_punctual",
+    "KHR_materials_diffuse_transmission",
+    "KHR_materials_emissive_strength",
+    "KHR_materials_ior",
+    "KHR_materials_volume",
+    "KHR_materials_volume_scatter",
+    "KHR_texture_transform",
+}
 
 
 def require(holds, claim):
@@ -82,8 +90,19 @@ def check_primitive(doc, blob, primitive, name):
             bool(np.abs(np.einsum("ij,ij->i", tangent[:, :3], got["NORMAL"])).max() < 1e-4),
             f"{name}: square tangents",
         )
-    check_material(doc, doc["materials"][primitive["material"]], got, name)
+    material = doc["materials"][primitive["material"]]
+    check_material(doc, material, got, name)
+    if "KHR_materials_volume" in material.get("extensions", {}):
+        check_closed(indices, name)
     return len(indices)
+
+
+def check_closed(indices, name):
+    """Every edge is walked once each way: the surface has an inside."""
+    edges = np.concatenate([indices[:, [0, 1]], indices[:, [1, 2]], indices[:, [2, 0]]])
+    walked = {tuple(edge) for edge in edges}
+    require(len(walked) == len(edges), f"{name}: an edge is walked twice the same way")
+    require(all((b, a) in walked for a, b in walked), f"{name}: has no hole")
 
 
 def check_material(doc, material, attributes, name):

@@ -97,7 +97,7 @@ class Glb:
         )
 
     def add_texture(self, name, pixels, jpeg_quality=None, wrap=REPEAT):
-        """u8 [height, width] or [height, width, 3]; PNG, or JPEG without chroma subsampling."""
+        """u8 or u16 [height, width], or u8 [height, width, 3]; PNG, or JPEG without chroma subsampling."""
         data = io.BytesIO()
         if jpeg_quality:
             Image.fromarray(pixels).save(
@@ -147,8 +147,12 @@ class Glb:
         normal_map=None,
         occlusion_map=None,
         emissive_nit=None,
+        height_map=None,
+        height_m=0.0,
+        extensions=None,
     ):
-        """Maps are texture_ref objects. `emissive_nit` is linear RGB radiance."""
+        """Maps are texture_ref objects. `emissive_nit` is linear RGB radiance, `height_m` how far
+        white of the height map stands out; `extensions` are as they stand in the file."""
         surface = {
             "baseColorFactor": [*map(float, base), 1.0],
             "metallicFactor": float(metallic),
@@ -165,9 +169,16 @@ class Glb:
             material["occlusionTexture"] = occlusion_map
         if emissive_nit:
             peak = max(emissive_nit)
-            self._use("KHR_materials_emissive_strength")
             material["emissiveFactor"] = [c / peak for c in emissive_nit]
-            material["extensions"] = {"KHR_materials_emissive_strength": {"emissiveStrength": peak}}
+            strength = {"KHR_materials_emissive_strength": {"emissiveStrength": peak}}
+            extensions = dict(extensions or {}, **strength)
+        if extensions:
+            for extension in extensions:
+                self._use(extension)
+            material["extensions"] = extensions
+        if height_map:
+            height = {"texture": height_map, "scale_m": height_m}
+            material["extras"] = {"facet": {"height": height}}
         return self._append("materials", material)
 
     def add_node(self, name, root=True, **parts):
@@ -194,19 +205,21 @@ class Glb:
             name, camera=camera, translation=[float(x) for x in eye], rotation=look_at(eye, target)
         )
 
-    def add_point_light(self, name, position, candela, color=(1, 1, 1), stands_in=False):
+    def add_light(self, name, light, **node):
+        """`light` is KHR_lights_punctual's object, `node` where it stands."""
         self._use("KHR_lights_punctual")
         lights = self.json.setdefault("extensions", {}).setdefault(
             "KHR_lights_punctual", {"lights": []}
         )["lights"]
-        lights.append({"name": name, "type": "point", "color": list(color), "intensity": candela})
+        lights.append(dict({"name": name}, **light))
+        link = {"KHR_lights_punctual": {"light": len(lights) - 1}}
+        return self.add_node(name, **node, extensions=link)
+
+    def add_point_light(self, name, position, candela, color=(1, 1, 1), stands_in=False):
+        light = {"type": "point", "color": list(color), "intensity": candela}
         if stands_in:
-            lights[-1]["extras"] = {"facet": {"stands_in": True}}
-        return self.add_node(
-            name,
-            translation=list(position),
-            extensions={"KHR_lights_punctual": {"light": len(lights) - 1}},
-        )
+            light["extras"] = {"facet": {"stands_in": True}}
+        return self.add_light(name, light, translation=list(position))
 
     def to_bytes(self, scene_name):
         self.json["scene"] = 0

@@ -181,9 +181,10 @@ bool give_name(int fd, const fs::path& name) {
     return link() || (errno == EEXIST && ::unlink(name.c_str()) == 0 && link());
 }
 
-Status write_and_sync(int fd, std::span<const std::byte> bytes, const std::string& file) {
+Status write_and_sync(int fd, std::span<const std::byte> bytes, const std::string& file,
+                      Sync sync) {
     if (auto written = write_all(fd, bytes, file); !written) return written;
-    if (::fsync(fd) != 0 && errno != EINVAL)
+    if (sync == Sync::yes && ::fsync(fd) != 0 && errno != EINVAL)
         return fail({.code = ErrorCode::temporary, .file = file, .what = errno_text(errno)});
     return {};
 }
@@ -243,7 +244,7 @@ Status check_writable(const fs::path& path) {
     return {};
 }
 
-Status write_file_atomically(const fs::path& path, std::span<const std::byte> bytes) {
+Status write_file_atomically(const fs::path& path, std::span<const std::byte> bytes, Sync sync) {
     const auto target = target_of(path);
     if (!target) return tl::unexpected(target.error());
     const std::string file = path.string();
@@ -251,13 +252,14 @@ Status write_file_atomically(const fs::path& path, std::span<const std::byte> by
     {
         const Descriptor fd(open_nameless(folder_of(*target)));
         if (fd.get() >= 0) {
-            if (auto written = write_and_sync(fd.get(), bytes, file); !written) return written;
+            if (auto written = write_and_sync(fd.get(), bytes, file, sync); !written)
+                return written;
             if (!give_name(fd.get(), temporary)) return cannot_write(file, errno);
         } else {
             const Descriptor named(::open(
                 temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0666));
             if (named.get() < 0) return cannot_write(file, errno);
-            if (auto written = write_and_sync(named.get(), bytes, file); !written) {
+            if (auto written = write_and_sync(named.get(), bytes, file, sync); !written) {
                 ::unlink(temporary.c_str());
                 return written;
             }
@@ -268,6 +270,7 @@ Status write_file_atomically(const fs::path& path, std::span<const std::byte> by
         ::unlink(temporary.c_str());
         return fail({.code = ErrorCode::temporary, .file = file, .what = errno_text(error)});
     }
+    if (sync == Sync::no) return {};
     const Descriptor folder(::open(folder_of(*target).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
     if (folder.get() >= 0)
         ::fsync(folder.get());  // the rename itself; not every file system has it

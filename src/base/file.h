@@ -5,6 +5,7 @@
 #include "base/result.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -43,10 +44,12 @@ using Bytes = std::vector<std::byte>;
 /// Errors: usage (no such folder), input_invalid (not writable).
 [[nodiscard]] Status check_writable(const std::filesystem::path& path);
 
+/// Whether a write waits until the disk has it: else a power cut may leave an empty or torn file.
+enum class Sync : std::uint8_t { yes, no };
 /// Writes `bytes` to a temporary name beside `path`, syncs, renames. On any error the old file is
 /// untouched and no temporary is left. Errors: temporary (disk full, fsync), input_invalid (not
 /// writable).
 [[nodiscard]] Status write_file_atomically(const std::filesystem::path& path,
-                                           std::span<const std::byte> bytes);
+                                           std::span<const std::byte> bytes, Sync sync = Sync::yes);
 
 }  // namespace facet::base

@@ -2,11 +2,15 @@
 // SPDX-License-Identifier: MIT
 #include "base/hash.h"
 
+#include "base/thread_pool.h"
+
 #include <nettle/sha2.h>
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <vector>
 
 namespace facet::base {
 
@@ -41,6 +45,18 @@ std::string Sha256::hex() {
 std::string sha256_hex(std::span<const std::byte> bytes) {
     Sha256 hash;
     hash.add(bytes);
+    return hash.hex();
+}
+
+std::string sha256_of_blocks(std::span<const std::byte> bytes, ThreadPool& pool) {
+    constexpr std::size_t block_bytes = std::size_t{1} << 20U;
+    std::vector<std::string> blocks((bytes.size() + block_bytes - 1) / block_bytes);
+    pool.parallel_for(blocks.size(), [&](std::size_t i) {
+        const std::size_t first = i * block_bytes;
+        blocks[i] = sha256_hex(bytes.subspan(first, std::min(block_bytes, bytes.size() - first)));
+    });
+    Sha256 hash;
+    for (const std::string& block : blocks) hash.add_text(block);
     return hash.hex();
 }
 

@@ -10,6 +10,8 @@
 
 namespace facet::base {
 
+class ThreadPool;
+
 /// SHA-256 (FIPS 180-4) of what it is fed.
 class Sha256 {
 public:
@@ -30,5 +32,7 @@ private:
 };
 
 [[nodiscard]] std::string sha256_hex(std::span<const std::byte> bytes);
+/// SHA-256 of the SHA-256 of each MiB: several at a time, the same for any number of threads.
+[[nodiscard]] std::string sha256_of_blocks(std::span<const std::byte> bytes, ThreadPool& pool);
 
 }  // namespace facet::base

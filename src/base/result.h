@@ -40,6 +40,7 @@ struct Warning {
     std::string what;
     std::string found;
     std::string remedy;
+    bool spares_result = false;  ///< what was asked for is there all the same: no error to --strict
 };
 using Warnings = std::vector<Warning>;
 
@@ -50,6 +51,15 @@ using Status = Result<void>;
 /// An Error ready to be returned from any function that returns a Result.
 [[nodiscard]] inline tl::unexpected<Error> fail(Error error) {
     return tl::unexpected<Error>(std::move(error));
+}
+
+/// The same for a file's words that cannot be used: input_invalid.
+[[nodiscard]] inline tl::unexpected<Error> invalid(std::string what, std::string found = {},
+                                                   std::string remedy = {}) {
+    return fail({.code = ErrorCode::input_invalid,
+                 .what = std::move(what),
+                 .found = std::move(found),
+                 .remedy = std::move(remedy)});
 }
 
 /// Adds the file name to an error that does not name one yet.

@@ -4,11 +4,16 @@
 
 #include "base/json.h"
 #include "base/text.h"
+#include "base/thread_pool.h"
+#include "render/job.h"
+#include "scene/animate.h"
 #include "scene/camera_spec.h"
+#include "scene/load.h"
 
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace facet::batch {
 namespace {
@@ -16,16 +21,24 @@ namespace {
 namespace fs = std::filesystem;
 using base::ErrorCode;
 
-tl::unexpected<base::Error> invalid(std::string what, std::string found, std::string remedy = {}) {
-    return base::fail({.code = ErrorCode::input_invalid,
-                       .what = std::move(what),
-                       .found = std::move(found),
-                       .remedy = std::move(remedy)});
-}
-
 std::string brief(const Json& value) {
     if (value.is_string()) return value.get<std::string>();
     return text_of(value);
+}
+
+constexpr std::size_t most_frames = 100'000;
+
+/// When the animation of a group's sequence ends. Errors: those of loading its scene, and of the
+/// animation.
+base::Result<double> animation_end_s(const Group& group, const base::Limits& limits) {
+    base::ThreadPool pool(1);
+    scene::LoadOptions options = render::load_options(group.settings);
+    options.decode_images = false;
+    const auto loaded = scene::load(group.scene, options, limits, pool);
+    if (!loaded) return tl::unexpected(loaded.error());
+    const auto clip = scene::find_clip(loaded->scene, *group.sequence->animation);
+    if (!clip) return tl::unexpected(clip.error());
+    return *clip == nullptr ? 0.0 : static_cast<double>((*clip)->end_s);
 }
 
 /// The key of a flag, as "env_rotation" of "--env-rotation".
@@ -92,8 +105,9 @@ void GroupReader::collect(const Json& object, const std::string& pointer, Member
         const std::string place = pointer + "/" + base::pointer_key(key);
         if (std::ranges::find(known, key) == known.end()) {
             const bool is_own = key == "allow_read" || key == "base";
-            keep(invalid(is_own ? "is for the command line" : "unknown key", key,
-                         is_own ? "facet batch JOB --allow-read DIR" : base::suggestion(key, known))
+            keep(base::invalid(
+                     is_own ? "is for the command line" : "unknown key", key,
+                     is_own ? "facet batch JOB --allow-read DIR" : base::suggestion(key, known))
                      .value(),
                  place);
         } else if (key == "output") {
@@ -157,51 +171,108 @@ void GroupReader::put(const Given& given, Group& group) {
     group.draws.push_back(std::move(draw));
 }
 
-void GroupReader::read_frames(const Given& given, Group& group) {
+std::vector<Group> GroupReader::with_frames(const Given& given, Group group) {
     const Json& frames = *given.value;
     const auto refuse = [&](std::string what, const Json& found, std::string remedy) {
-        keep(invalid(std::move(what), brief(found), std::move(remedy)).value(), given.pointer);
+        keep(base::invalid(std::move(what), brief(found), std::move(remedy)).value(),
+             given.pointer);
+        return std::vector<Group>{};
     };
-    constexpr std::size_t most = 100'000;
-    if (!frames.is_object() || frames.empty())
-        return refuse("takes an object", frames, "{\"orbit\": 36}");
-    for (const auto& [key, value] : frames.items()) {
-        if (key == "animation" || key == "fps") {
-            keep(base::Error{.code = ErrorCode::feature_missing,
-                             .what = "animations are not played yet",
-                             .found = brief(value),
-                             .remedy = "{\"orbit\": 36} makes a turntable"},
-                 given.pointer + "/" + key);
-            return;
-        }
-        const std::vector<std::string> known = {"orbit", "animation", "fps"};
-        if (key != "orbit") {
-            keep(invalid("unknown key", key, base::suggestion(key, known)).value(),
+    constexpr const char* example = "{\"orbit\": 36}, or {\"animation\": \"Walk\", \"fps\": 24}";
+    if (!frames.is_object() || frames.empty()) return refuse("takes an object", frames, example);
+    const std::vector<std::string> known = {"orbit", "animation", "fps"};
+    for (const auto& [key, value] : frames.items())
+        if (std::ranges::find(known, key) == known.end()) {
+            keep(base::invalid("unknown key", key, base::suggestion(key, known)).value(),
                  given.pointer + "/" + base::pointer_key(key));
-            return;
+            return {};
         }
-        if (!value.is_number_unsigned() || value < 1 || value > most)
-            return refuse(fmt::format("orbit takes a number of frames from 1 to {}", most), value,
-                          "36 turns by 10 degrees a frame");
-    }
-    group.turntable = Turntable{frames["orbit"].get<std::size_t>()};
+    if (frames.contains("orbit") == frames.contains("animation"))
+        return refuse("takes an orbit or an animation", frames, example);
+    if (frames.contains("animation")) return with_animation(given, std::move(group));
+    const Json& count = frames["orbit"];
+    if (frames.contains("fps")) return refuse("fps is for an animation", frames, example);
+    if (!count.is_number_unsigned() || count < 1 || count > most_frames)
+        return refuse(fmt::format("orbit takes a number of frames from 1 to {}", most_frames),
+                      count, "36 turns by 10 degrees a frame");
+    group.sequence = Sequence{.frame_count = count.get<std::size_t>()};
+    add_frame_axis(given, group);
+    return {std::move(group)};
+}
+
+void GroupReader::add_frame_axis(const Given& given, Group& group) {
     Axis axis{.kind = AxisKind::frame, .key = "frame", .pointer = given.pointer};
-    for (std::size_t i = 0; i < group.turntable->frame_count; ++i) {
+    for (std::size_t i = 0; i < group.sequence->frame_count; ++i) {
         axis.values.emplace_back(i);
         axis.labels.push_back(fmt::format("{}", i));
     }
     group.axes.push_back(std::move(axis));
 }
 
+std::vector<Group> GroupReader::with_animation(const Given& given, Group group) {
+    const Json& frames = *given.value;
+    const Json& name = frames["animation"];
+    const Json fps = frames.value("fps", Json(24));
+    constexpr double most_fps = 1000.0;
+    if (!name.is_string() && !name.is_number_unsigned())
+        return keep(base::invalid("takes a name or an index", brief(name)).value(),
+                    given.pointer + "/animation"),
+               std::vector<Group>{};
+    if (!fps.is_number() || !(fps > 0.0) || fps > most_fps)
+        return keep(base::invalid(fmt::format("takes a number above 0, {} at most", most_fps),
+                                  brief(fps))
+                        .value(),
+                    given.pointer + "/fps"),
+               std::vector<Group>{};
+    group.sequence = Sequence{.fps = fps.get<double>(), .animation = brief(name)};
+    // How many frames there are is every scene's own: a group each.
+    std::vector<Group> groups;
+    const auto scenes = std::ranges::find(group.axes, AxisKind::scene, &Axis::kind);
+    if (scenes == group.axes.end()) {
+        if (!group.scene.empty()) groups.push_back(std::move(group));
+    } else {
+        const auto place = static_cast<std::size_t>(scenes - group.axes.begin());
+        for (std::size_t i = 0; i < scenes->values.size(); ++i) {
+            Group one = group;
+            one.axes[place].values = {scenes->values[i]};
+            one.axes[place].labels = {scenes->labels[i]};
+            one.scene = scenes->values[i].get<std::string>();
+            groups.push_back(std::move(one));
+        }
+    }
+    for (Group& one : groups) {
+        const auto end_s = animation_end_s(one, in_.options.limits);
+        if (!end_s) {
+            base::Error error = end_s.error();
+            error.what = one.scene + ": " + error.what;
+            return keep(std::move(error), given.pointer + "/animation"), std::vector<Group>{};
+        }
+        // The last frame comes before the end, where a film that loops is at its beginning again.
+        const double count = std::ceil(*end_s * one.sequence->fps - 1e-3);
+        if (count > static_cast<double>(most_frames))
+            return keep(base::invalid("too many frames",
+                                      fmt::format("{:.0f}, limit {}", count, most_frames))
+                            .value(),
+                        given.pointer),
+                   std::vector<Group>{};
+        one.sequence->frame_count =
+            std::max<std::size_t>(1, static_cast<std::size_t>(std::max(count, 0.0)));
+        add_frame_axis(given, one);
+    }
+    return groups;
+}
+
 void GroupReader::name_outputs(const Members& members, const std::string& pointer, Group& group) {
     const Json* const text = members.output.value != nullptr ? members.output.value : in_.output;
     const std::string place = members.output.value != nullptr ? members.output.pointer : "/output";
     if (text == nullptr)
-        return keep(invalid("has no output", "", "\"output\": \"out/{scene}-{index}.png\"").value(),
-                    pointer);
-    if (!text->is_string()) return keep(invalid("is not a text", brief(*text)).value(), place);
+        return keep(
+            base::invalid("has no output", "", "\"output\": \"out/{scene}-{index}.png\"").value(),
+            pointer);
+    if (!text->is_string())
+        return keep(base::invalid("is not a text", brief(*text)).value(), place);
     std::vector<std::string> known = {"scene", "folder", "index", "camera"};
-    if (group.turntable) known.emplace_back("frame");
+    if (group.sequence) known.emplace_back("frame");
     for (const Given& given : members.given)
         if (std::ranges::find(known, given.key) == known.end()) known.push_back(given.key);
     auto parsed = NameTemplate::parse(text->get<std::string>(), known);
@@ -225,8 +296,10 @@ void GroupReader::check(const Members& members, const Group& group, const std::s
             for (const Json& end : draw.from)
                 if (auto set = apply(draw.kind, draw.key, end, settings); !set)
                     return keep(set.error(), draw.pointer), false;
+        if (group.sequence && group.sequence->animation)
+            settings.animation = *group.sequence->animation;
         auto checked = check_settings(settings, in_.options.limits);
-        if (checked && group.turntable)
+        if (checked && group.sequence && !group.sequence->animation)
             if (const auto turned = scene::turned_orbit(settings.camera, 0.0); !turned)
                 checked = tl::unexpected(base::in_file(turned.error(), "--camera"));
         if (checked) return true;
@@ -245,7 +318,7 @@ void GroupReader::check(const Members& members, const Group& group, const std::s
 }
 
 void GroupReader::read(const Json& item, const std::string& pointer) {
-    if (!item.is_object()) return keep(invalid("is no object", brief(item)).value(), pointer);
+    if (!item.is_object()) return keep(base::invalid("is no object", brief(item)).value(), pointer);
     const std::size_t errors_before = in_.problems.errors.size();
     Members members;
     collect(in_.defaults, "/defaults", members);
@@ -253,12 +326,23 @@ void GroupReader::read(const Json& item, const std::string& pointer) {
     Group group;
     group.settings = in_.options.settings;
     for (const Given& given : members.given) put(given, group);
-    if (members.frames.value != nullptr) read_frames(members.frames, group);
-    name_outputs(members, pointer, group);
+    std::vector<Group> groups;
+    if (members.frames.value != nullptr)
+        groups = with_frames(members.frames, std::move(group));
+    else
+        groups.push_back(std::move(group));
     const bool has_scene =
         std::ranges::any_of(members.given, [](const Given& g) { return g.key == "scene"; });
-    if (!has_scene) keep(invalid("has no scene", "", "\"scene\": \"model.glb\"").value(), pointer);
-    if (in_.problems.errors.size() == errors_before) check(members, group, pointer);
+    if (!has_scene)
+        keep(base::invalid("has no scene", "", "\"scene\": \"model.glb\"").value(), pointer);
+    for (Group& one : groups) {
+        name_outputs(members, pointer, one);
+        if (in_.problems.errors.size() == errors_before) check(members, one, pointer);
+        add_group(std::move(one), pointer);
+    }
+}
+
+void GroupReader::add_group(Group group, const std::string& pointer) {
     group.item_count = 1;
     for (const Axis& axis : group.axes) {
         if (axis.values.empty()) group.item_count = 0;

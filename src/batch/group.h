@@ -34,7 +34,12 @@ private:
     void put(const Given& given, Group& group);
     void put_one(const Given& given, Json value, Group& group);
     void put_axis(Axis axis, Group& group);
-    void read_frames(const Given& given, Group& group);
+    /// The group with an axis of frames; a group a scene where each has as many as it takes. None,
+    /// and a problem, where they make no sense.
+    [[nodiscard]] std::vector<Group> with_frames(const Given& given, Group group);
+    [[nodiscard]] std::vector<Group> with_animation(const Given& given, Group group);
+    static void add_frame_axis(const Given& given, Group& group);
+    void add_group(Group group, const std::string& pointer);
     void name_outputs(const Members& members, const std::string& pointer, Group& group);
     void check(const Members& members, const Group& group, const std::string& pointer);
     void keep(base::Error error, const std::string& pointer);

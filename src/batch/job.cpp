@@ -100,9 +100,15 @@ base::Result<Item> Job::item(std::size_t index) const {
             return tl::unexpected(set.error());
         item.varied.emplace_back(draw.key, batch::label_of(draw.kind, draw.key, value));
     }
-    if (!group.turntable) return item;
-    const double turn_deg = 360.0 * static_cast<double>(*item.frame) /
-                            static_cast<double>(group.turntable->frame_count);
+    if (!group.sequence) return item;
+    if (group.sequence->animation) {
+        item.settings.animation = *group.sequence->animation;
+        item.settings.time =
+            static_cast<float>(static_cast<double>(*item.frame) / group.sequence->fps);
+        return item;
+    }
+    const double turn_deg =
+        360.0 * static_cast<double>(*item.frame) / static_cast<double>(group.sequence->frame_count);
     auto camera = scene::turned_orbit(item.settings.camera, turn_deg);
     if (!camera) return tl::unexpected(base::in_file(camera.error(), "--camera"));
     item.settings.camera = std::move(*camera);
@@ -114,20 +120,20 @@ std::vector<std::string> Job::films(std::span<const std::size_t> items) const {
     for (const std::size_t index : items) {
         const Place place = place_of(index);
         const Group& group = *place.group;
-        if (!group.turntable || place.at.back() != 0) continue;
+        if (!group.sequence || place.at.back() != 0) continue;
         const bool by_frame = group.output.uses("frame");
         const auto labels = [&](std::string_view key) { return label_of(place, key); };
         const fs::path frames =
             folder / group.output.sequence(labels, by_frame ? "frame" : "index");
         fs::path film = output_of(place);
         film.replace_extension(".mp4");
-        commands.push_back("ffmpeg" +
-                           tables::command_line({"-framerate", "24", "-start_number",
-                                                 fmt::format("{}", by_frame ? 0 : index), "-i",
-                                                 frames.lexically_normal().string(), "-frames:v",
-                                                 fmt::format("{}", group.turntable->frame_count),
-                                                 "-pix_fmt", "yuv420p", film.string()})
-                               .substr(std::string_view("facet").size()));
+        commands.push_back("ffmpeg" + tables::command_line(
+                                          {"-framerate", fmt::format("{}", group.sequence->fps),
+                                           "-start_number", fmt::format("{}", by_frame ? 0 : index),
+                                           "-i", frames.lexically_normal().string(), "-frames:v",
+                                           fmt::format("{}", group.sequence->frame_count),
+                                           "-pix_fmt", "yuv420p", film.string()})
+                                          .substr(std::string_view("facet").size()));
     }
     return commands;
 }

@@ -52,9 +52,11 @@ struct Draw {
 [[nodiscard]] base::Status apply(AxisKind kind, const std::string& key, const Json& value,
                                  tables::Settings& settings);
 
-/// frames: {"orbit": 36}.
-struct Turntable {
+/// frames: {"orbit": 36}, or {"animation": "Walk", "fps": 24}.
+struct Sequence {
     std::size_t frame_count = 0;
+    double fps = 24.0;
+    std::optional<std::string> animation;  ///< that is played; none: the camera turns
 };
 
 /// The product of `axes` over one set of settings; the last axis varies fastest.
@@ -64,7 +66,7 @@ struct Group {
     NameTemplate output;
     std::vector<Axis> axes;
     std::vector<Draw> draws;
-    std::optional<Turntable> turntable;
+    std::optional<Sequence> sequence;
     std::vector<std::pair<std::string, std::string>> fixed;  ///< key -> label of what was set
     std::size_t first_index = 0;
     std::size_t item_count = 0;

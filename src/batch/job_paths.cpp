@@ -16,13 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-tl::unexpected<base::Error> invalid(std::string what, std::string found, std::string remedy = {}) {
-    return base::fail({.code = base::ErrorCode::input_invalid,
-                       .what = std::move(what),
-                       .found = std::move(found),
-                       .remedy = std::move(remedy)});
-}
-
 bool is_texture_path(std::string_view path) {
     const std::string_view key = path.substr(path.rfind('.') + 1);
     return path.starts_with("material") &&
@@ -39,19 +32,20 @@ bool is_light_file_path(std::string_view path) {
 
 base::Result<std::string> JobPaths::in_job(const std::string& text) const {
     if (text.find("://") != std::string::npos)
-        return invalid("network is never used", text, "download it");
+        return base::invalid("network is never used", text, "download it");
     if (text.empty() || text.find('\0') != std::string::npos)
-        return invalid("not a file name", text);
+        return base::invalid("not a file name", text);
     const fs::path path = (folder_ / text).lexically_normal();
     std::error_code error;
     const fs::path folder = folder_.empty() ? "." : folder_;
     const fs::path resolved = fs::weakly_canonical(fs::absolute(path), error);
-    if (error) return invalid("cannot be resolved: " + error.message(), text);
+    if (error) return base::invalid("cannot be resolved: " + error.message(), text);
     const auto holds = [&](const fs::path& allowed) {
         return base::is_beneath(resolved, fs::weakly_canonical(allowed, error));
     };
     if (!holds(folder) && std::ranges::none_of(allowed_, holds))
-        return invalid("outside the job's folder", text, "--allow-read DIR if it may be read");
+        return base::invalid("outside the job's folder", text,
+                             "--allow-read DIR if it may be read");
     return path.string();
 }
 
@@ -59,9 +53,9 @@ base::Status JobPaths::resolve_scenes(const Given& given, std::vector<Json>& sce
                                       base::Warnings& warnings) const {
     std::vector<Json> out;
     for (const Json& value : scenes) {
-        if (!value.is_string()) return invalid("a scene is a text", value.dump());
+        if (!value.is_string()) return base::invalid("a scene is a text", value.dump());
         const auto& text = value.get_ref<const std::string&>();
-        if (text == "-") return invalid("a job reads no standard input", text, "give a file");
+        if (text == "-") return base::invalid("a job reads no standard input", text, "give a file");
         if (is_builtin(text)) {
             out.emplace_back(text);
             continue;

@@ -14,7 +14,7 @@ namespace {
 
 /// Two pictures of one key differ in settings alone.
 std::string scene_key(const std::string& scene, const tables::Settings& settings) {
-    return scene + "\n" + base::join(settings.ignore_required, ",") +
+    return scene + "\n" + settings.variant + "\n" + base::join(settings.ignore_required, ",") +
            (settings.strict ? "\nstrict" : "");
 }
 
@@ -98,7 +98,8 @@ base::Result<double> Renderer::exposure_of(std::size_t first) {
     const auto plan = render::make_plan(item->settings);
     if (!plan) return tl::unexpected(plan.error());
     render::Rendered measured;
-    const render::Request request{.scene = item->scene, .settings = item->settings};
+    const render::Request request{
+        .scene = item->scene, .settings = item->settings, .cache_folder = in_.cache_folder};
     if (auto s = show(request, *plan, measured); !s) return tl::unexpected(s.error());
     session_->begin_picture();
     for (std::uint32_t i = 0; i < plan->sample_count; ++i)
@@ -109,7 +110,8 @@ base::Result<double> Renderer::exposure_of(std::size_t first) {
 
 base::Result<Drawn> Renderer::draw(const Item& item) {
     Drawn out;
-    out.request = {.scene = item.scene, .settings = item.settings};
+    out.request = {
+        .scene = item.scene, .settings = item.settings, .cache_folder = in_.cache_folder};
     auto file = render::plan_file(item.settings, item.output);
     if (!file) return tl::unexpected(file.error());
     out.file = std::move(*file);

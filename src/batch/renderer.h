@@ -9,6 +9,7 @@
 #include "render/assets.h"
 #include "render/picture_file.h"
 
+#include <filesystem>
 #include <future>
 #include <map>
 #include <memory>
@@ -35,7 +36,8 @@ public:
         const Job& job;
         base::ThreadPool& pool;
         base::Log& log;
-        std::size_t asset_bytes = 0;  ///< that read scenes and environments may take
+        std::size_t asset_bytes = 0;           ///< that read scenes and environments may take
+        std::filesystem::path cache_folder{};  ///< render::Request's
     };
     explicit Renderer(const Inputs& in);
     ~Renderer();

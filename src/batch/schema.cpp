@@ -21,8 +21,8 @@ Json array_of(const Json& items) { return {{"type", "array"}, {"items", items}};
 Json tuple_of(const Json& items, int count) {
     return {{"type", "array"}, {"items", items}, {"minItems", count}, {"maxItems", count}};
 }
-const Json text = {{"type", "string"}};
-const Json number = {{"type", "number"}};
+const Json any_text = {{"type", "string"}};
+const Json any_number = {{"type", "number"}};
 
 Json whole(double low, double high) {
     return {{"type", "integer"}, {"minimum", low}, {"maximum", high}};
@@ -58,7 +58,9 @@ struct ValueOf {
     Json operator()(tables::Flag Settings::*) const {
         return {{"enum", {true, false, 0, 1, "0", "1"}}};
     }
-    Json operator()(tables::List Settings::*) const { return any_of({text, array_of(text)}); }
+    Json operator()(tables::List Settings::*) const {
+        return any_of({any_text, array_of(any_text)});
+    }
 };
 
 Json random_schema() {
@@ -66,9 +68,9 @@ Json random_schema() {
             {"required", {"random"}},
             {"additionalProperties", false},
             {"properties",
-             {{"random", any_of({tuple_of(number, 2),
-                                 tuple_of(tuple_of(number, 3), 2),
-                                 {{"type", "array"}, {"items", text}, {"minItems", 1}}})},
+             {{"random", any_of({tuple_of(any_number, 2),
+                                 tuple_of(tuple_of(any_number, 3), 2),
+                                 {{"type", "array"}, {"items", any_text}, {"minItems", 1}}})},
               {"count", whole(1, 1e6)},
               {"seed", whole(0, 9007199254740992.0)}}},
             {"description",
@@ -82,9 +84,9 @@ Json sphere_schema() {
             {"additionalProperties", false},
             {"properties",
              {{"sphere", whole(1, 1e6)},
-              {"elevation", tuple_of(number, 2)},
+              {"elevation", tuple_of(any_number, 2)},
               {"distance", {{"type", "number"}, {"exclusiveMinimum", 0}}},
-              {"target", tuple_of(number, 3)}}},
+              {"target", tuple_of(any_number, 3)}}},
             {"description", "that many cameras, spread evenly around the model"}};
 }
 
@@ -100,28 +102,35 @@ Json setting_schema(const Setting& row) {
 }
 
 Json set_schema() {
-    const Json vector = tuple_of(number, 3);
+    const Json vector = tuple_of(any_number, 3);
     const Json value = any_of({{{"type", {"number", "string", "boolean"}}}, vector});
     const Json paths = {
         {"type", "object"},
         {"additionalProperties", any_of({value, array_of(value), random_reference})}};
     const Json fixed = {{"type", "object"}, {"additionalProperties", value}};
-    return any_of({paths, text, array_of(text), array_of(array_of(text)), array_of(fixed)});
+    return any_of(
+        {paths, any_text, array_of(any_text), array_of(array_of(any_text)), array_of(fixed)});
 }
 
 Json members() {
-    Json properties = {{"scene",
-                        {{"anyOf", {text, array_of(text)}},
-                         {"description",
-                          "files relative to the job file, patterns (*, ?, [a-z], **), or "
-                          "builtin:NAME"}}},
-                       {"output", {{"$ref", "#/properties/output"}}},
-                       {"frames",
-                        {{"type", "object"},
-                         {"required", {"orbit"}},
-                         {"additionalProperties", false},
-                         {"properties", {{"orbit", whole(1, 100000)}}},
-                         {"description", "a turntable of that many frames"}}}};
+    Json properties = {
+        {"scene",
+         {{"anyOf", {any_text, array_of(any_text)}},
+          {"description",
+           "files relative to the job file, patterns (*, ?, [a-z], **), or "
+           "builtin:NAME"}}},
+        {"output", {{"$ref", "#/properties/output"}}},
+        {"frames",
+         {{"type", "object"},
+          {"additionalProperties", false},
+          {"properties",
+           {{"orbit", whole(1, 100000)},
+            {"animation", {{"type", {"string", "integer"}}}},
+            {"fps", {{"type", "number"}, {"exclusiveMinimum", 0}, {"maximum", 1000}}}}},
+          {"oneOf", {{{"required", {"orbit"}}}, {{"required", {"animation"}}}}},
+          {"description",
+           "orbit: a turntable of that many frames; animation: that one of the "
+           "file, fps frames a second (24)"}}}};
     for (const Setting& row : tables::settings)
         if (is_job_key(row)) properties[std::string(row.key)] = setting_schema(row);
     return properties;
@@ -144,7 +153,7 @@ Json job_schema() {
             {"required", {"facet", "items"}},
             {"additionalProperties", false},
             {"properties",
-             {{"$schema", text},
+             {{"$schema", any_text},
               {"facet", {{"const", 1}, {"description", "version of this form"}}},
               {"output",
                {{"type", "string"},

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "batch/worker.h"
 
+#include "base/cache_folder.h"
 #include "base/file.h"
 #include "base/text.h"
 #include "batch/input_hash.h"
@@ -180,7 +181,11 @@ public:
           log_(in.level),
           pool_(in.thread_count),
           hashes_(in.limits),
-          renderer_({.job = in.job, .pool = pool_, .log = log_, .asset_bytes = in.asset_bytes}),
+          renderer_({.job = in.job,
+                     .pool = pool_,
+                     .log = log_,
+                     .asset_bytes = in.asset_bytes,
+                     .cache_folder = base::cache_folder()}),
           reports_(results),
           writer_(in.job, reports_) {}
 

@@ -50,6 +50,8 @@ std::string layer_includes(std::set<std::string_view>& seen) {
     std::string out;
     for (const tables::BrdfTerm& term : tables::brdf_terms)
         if (term.name == "sheen_charlie") out += include_lines(term, seen);
+    for (const char* file : {"d_ggx_anisotropic", "v_smith_ggx_anisotropic"})
+        if (seen.insert(file).second) out += fmt::format("#include \"brdf/{}.glsl\"\n", file);
     return out;
 }
 
@@ -58,8 +60,8 @@ std::string assembled(bool needs_e_l, const std::string& terms, Parts parts) {
     std::string text = fmt::format(
         "#define FACET_BRDF_NEEDS_E_L {}\n#include \"brdf/prelude.glsl\"\n", needs_e_l ? 1 : 0);
     text += terms;
-    for (const char* part :
-         {"albedo_coordinates", "brdf_types", "conserving", "cook_torrance", "model", "layers"})
+    for (const char* part : {"albedo_coordinates", "brdf_types", "conserving", "cook_torrance",
+                             "model", "layers", "transmission", "anisotropy", "thin_film"})
         text += fmt::format("#include \"brdf/model/{}.glsl\"\n", part);
     if (parts == Parts::sampling) text += "#include \"brdf/model/sampling.glsl\"\n";
     return text;

@@ -163,7 +163,8 @@ int main(int argc, char** argv) {
     app.add_option("--scene", options.scene, "scene file or builtin:NAME")->capture_default_str();
     app.add_option("--size", options.size, "WxH")->capture_default_str();
     app.add_option("--lights", options.lights, "local lights")->check(CLI::Range(0, 4096));
-    app.add_option("--light-kinds", options.kinds, "comma list: point,spot")->capture_default_str();
+    app.add_option("--light-kinds", options.kinds, "comma list of kinds of lights with a place")
+        ->capture_default_str();
     app.add_option("--camera", options.camera, "as facet render's")->capture_default_str();
     app.add_option("--reference", options.reference,
                    "samples per pixel of the path tracer: paths a second");

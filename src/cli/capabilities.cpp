@@ -37,7 +37,7 @@ Names formats(bool tables::ImageFormatRow::*can) {
 void print_features(Io& io) {
     io.print("\n| glTF | loaded | raster | reference | studio | test |");
     io.print("| --- | --- | --- | --- | --- | --- |");
-    for (const tables::GltfFeature& row : tables::gltf_features)
+    for (const tables::GltfFeature& row : tables::gltf_features())
         io.print(fmt::format("| {} | {} | {} | {} | {} | {} |", row.name, name_of(row.loaded),
                              name_of(row.raster), name_of(row.reference), name_of(row.studio),
                              row.test));
@@ -45,7 +45,7 @@ void print_features(Io& io) {
 
 nlohmann::ordered_json features_json() {
     nlohmann::ordered_json rows = nlohmann::ordered_json::array();
-    for (const tables::GltfFeature& row : tables::gltf_features)
+    for (const tables::GltfFeature& row : tables::gltf_features())
         rows.push_back({{"name", row.name},
                         {"loaded", name_of(row.loaded)},
                         {"raster", name_of(row.raster)},

@@ -39,7 +39,7 @@ std::vector<std::string> loaded_libraries() {
         const std::string name = fs::canonical(path, error).filename().string();
         for (const std::string_view wanted :
              {"libpng", "libjpeg", "libwebp", "libOpenEXR", "libdeflate", "libspdlog", "libEGL",
-              "libOSMesa", "libtinygltf"})
+              "libOSMesa", "libtinygltf", "libmeshoptimizer", "libdraco"})
             if (!error && name.starts_with(wanted)) names.push_back(name);
     }
     std::ranges::sort(names);
@@ -142,8 +142,9 @@ void print_text(const Json& report, Io& io) {
                              ? "libfacet_oiio.so is not beside the program; build or install it"
                              : text_of(report["oiio_module"])));
     io.print(fmt::format("{:<16} {}", "shader cache",
-                         report["shader_cache"] == "" ? "none: HOME and XDG_CACHE_HOME are not set"
-                                                      : text_of(report["shader_cache"])));
+                         report["shader_cache"] == ""
+                             ? "none: FACET_CACHE is off, or HOME and XDG_CACHE_HOME are not set"
+                             : text_of(report["shader_cache"])));
     for (const char* list : {"libraries", "environment"}) {
         std::vector<std::string> names;
         for (const Json& entry : report[list]) names.push_back(text_of(entry));

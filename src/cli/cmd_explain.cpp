@@ -1,5 +1,6 @@
 // facet explain: the rendering equation at one pixel, number by number.
 // SPDX-License-Identifier: MIT
+#include "base/cache_folder.h"
 #include "base/text.h"
 #include "base/texts.h"
 #include "cli/flags.h"
@@ -71,8 +72,9 @@ Result<Exit> run_explain(const ExplainOptions& options, Io& io) {
     base::Log log = io.log();
     const auto explained = [&] {
         ProgressLine progress(io);
-        return explain::explain({.scene = options.scene, .settings = *settings}, *pixels, log,
-                                progress.sink());
+        return explain::explain(
+            {.scene = options.scene, .settings = *settings, .cache_folder = base::cache_folder()},
+            *pixels, log, progress.sink());
     }();
     if (!explained) return tl::unexpected(explained.error());
     io.warn(explained->warnings, settings->strict);

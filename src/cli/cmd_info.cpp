@@ -5,6 +5,7 @@
 #include "cli/flags.h"
 #include "cli/scene_options.h"
 #include "scene/load.h"
+#include "scene/rig.h"
 
 #include <nlohmann/json.hpp>
 #include <spdlog/fmt/fmt.h>
@@ -66,6 +67,12 @@ Json camera_object(const scene::Camera& camera) {
     return out;
 }
 
+Json clip_object(const scene::Clip& clip) {
+    Json out = {{"name", clip.name}, {"seconds", number(clip.end_s)}};
+    if (clip.fault) out["broken"] = true;
+    return out;
+}
+
 Json light_object(const scene::Light& light) {
     const auto& row = tables::light_kinds[static_cast<std::size_t>(light.kind)];
     return {{"name", light.name},
@@ -94,14 +101,15 @@ Json describe(const std::string& path, const scene::Scene& scene) {
         out["extent"] = {{"low", vector_object(bounds.low)},
                          {"high", vector_object(bounds.high)},
                          {"size", vector_object(bounds.high - bounds.low)}};
-    for (const char* list : {"materials", "textures", "cameras", "lights"})
+    for (const char* list : {"materials", "textures", "cameras", "lights", "clips"})
         out[list] = Json::array();
     for (const auto& material : scene.materials)
         out["materials"].push_back(material_object(material, scene));
     for (const auto& image : scene.images) out["textures"].push_back(texture_object(image));
     for (const auto& camera : scene.cameras) out["cameras"].push_back(camera_object(camera));
     for (const auto& light : scene.lights) out["lights"].push_back(light_object(light));
-    out["clips"] = scene.animations;
+    if (scene.rig != nullptr)
+        for (const scene::Clip& clip : scene.rig->clips) out["clips"].push_back(clip_object(clip));
     out["variants"] = scene.variants;
     out["extensions"] = scene.extensions_used;
     return out;
@@ -125,12 +133,12 @@ std::string line_of(const Json& object, std::size_t index, const Json& usual) {
 
 void print_lists(const Json& info, Io& io) {
     const Json usual = material_object({}, {});
-    for (const char* list : {"materials", "textures", "cameras", "lights"}) {
+    for (const char* list : {"materials", "textures", "cameras", "lights", "clips"}) {
         io.print(fmt::format("{:<11} {}", list, info[list].size()));
         for (std::size_t i = 0; i < info[list].size(); ++i)
             io.print(line_of(info[list][i], i, usual));
     }
-    for (const char* list : {"clips", "variants", "extensions"}) {
+    for (const char* list : {"variants", "extensions"}) {
         std::vector<std::string> names;
         for (const auto& name : info[list]) names.push_back(base::escaped(name.get<std::string>()));
         io.print(fmt::format("{:<11} {}{}", list, names.size(),

@@ -1,5 +1,6 @@
 // facet render: one picture of a scene.
 // SPDX-License-Identifier: MIT
+#include "base/cache_folder.h"
 #include "base/text.h"
 #include "cli/flags.h"
 #include "cli/output_gate.h"
@@ -148,8 +149,10 @@ Result<Exit> run_render(const RenderOptions& options, Io& io) {
     if (!settings) return tl::unexpected(settings.error());
     if (auto checked = check(options, *settings, io); !checked)
         return tl::unexpected(checked.error());
-    render::Request request{.scene = options.scene, .settings = *settings};
+    render::Request request{
+        .scene = options.scene, .settings = *settings, .cache_folder = base::cache_folder()};
     gl::prepare_environment(settings->threads);
+    io.warn(base::missing_cache_folder(), false);
     base::Log log = io.log();
     const bool to_stdout = options.output == "-";
     const auto rendered = [&] {

@@ -6,7 +6,7 @@
 #include "base/thread_pool.h"
 #include "brdf/presets.h"
 #include "cli/scene_options.h"
-#include "scene/light_profile.h"
+#include "scene/builtin_files.h"
 #include "scene/load.h"
 #include "scene/material_file.h"
 #include "tables/aovs.h"
@@ -42,14 +42,20 @@ std::vector<Entry> entries_of(const Rows& rows) {
 
 Entries list_scenes(const std::string&) {
     std::vector<Entry> entries;
-    for (const std::string& name : scene::builtin_scene_names())
+    for (const std::string& name : scene::builtin_names(scene::builtin_scenes))
         entries.push_back({fmt::format("builtin:{}", name), ""});
     return entries;
 }
 Entries list_lamps(const std::string&) {
     std::vector<Entry> entries;
-    for (const std::string& name : scene::builtin_lamp_names())
+    for (const std::string& name : scene::builtin_names(scene::builtin_lamps))
         entries.push_back({fmt::format("ies:file=builtin:{}", name), ""});
+    return entries;
+}
+Entries list_textures(const std::string&) {
+    std::vector<Entry> entries;
+    for (const std::string& name : scene::builtin_names(scene::builtin_textures))
+        entries.push_back({fmt::format("builtin:{}", name), ""});
     return entries;
 }
 Entries list_environments(const std::string&) {
@@ -150,7 +156,7 @@ constexpr Listing listings[] = {{"scenes", list_scenes},   {"environments", list
                                 {"lights", list_lights},   {"lamps", list_lamps},
                                 {"aovs", list_aovs},       {"tonemaps", list_tonemaps},
                                 {"brdf", list_brdf},       {"presets", list_presets},
-                                {"lessons", list_lessons}};
+                                {"lessons", list_lessons}, {"textures", list_textures}};
 
 std::vector<std::string> names() {
     std::vector<std::string> out;

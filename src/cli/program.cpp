@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/program.h"
 
+#include "base/cache_folder.h"
 #include "base/text.h"
 #include "cli/dispatch.h"
 #include "cli/help.h"
@@ -96,6 +97,8 @@ Result<Exit> run(std::span<const std::string> arguments, char** environment, Io&
         io.note(page(general_help(flags)));
         return fail({.code = ErrorCode::usage, .what = "no command given"});
     }
+    if (auto checked = base::check_cache_variable(); !checked)
+        return tl::unexpected(checked.error());
     io.warn(unknown_environment(environment), false);
     return command->declared.job(io);
 }

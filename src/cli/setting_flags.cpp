@@ -63,7 +63,7 @@ base::Result<Settings> TypedSettings::read() const {
 }
 
 base::Warnings unknown_environment(char** environment) {
-    std::vector<std::string> known{"FACET_SHADER_CACHE"};
+    std::vector<std::string> known{"FACET_CACHE"};
     for (const Setting& row : tables::settings)
         if (has_variable(row)) known.push_back(variable_name(row));
     base::Warnings warnings;

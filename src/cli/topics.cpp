@@ -83,6 +83,11 @@ std::string cameras() {
            "                    --focus M is what is sharp, --blades N the corners of its blur\n"
            "--shutter S --iso S with the aperture give the exposure, 1 / (1.2 N^2 / S * 100 / "
            "ISO)\n"
+           "--time S            plays an animation of the file (--animation NAME|INDEX, else the "
+           "first), which moves its cameras\n"
+           "                    too; others are aimed at the model as it begins. --shutter S then "
+           "blurs what moves, S/2 before\n"
+           "                    and after, with or without an aperture\n"
            "--projection        orthographic: as large as the scene's middle was in perspective; "
            "panorama: all around,\n"
            "                    latitude by longitude with what is ahead in the middle, as --env "
@@ -208,7 +213,9 @@ std::string more() {
     std::string out =
         "Example: facet render a.glb --allow-read ../textures --max-memory 2048 --strict\n\n"
         "Limits on what a scene may take and read, and what else is seldom wanted. Each may stand "
-        "in the environment too:\nFACET_MAX_MEMORY=2048.\n\n";
+        "in the environment too:\nFACET_MAX_MEMORY=2048. Compiled shaders and baked environments "
+        "(256 MB of them at most) are\nkept in $XDG_CACHE_HOME/facet, else ~/.cache/facet, which "
+        "may be deleted at any time;\nFACET_CACHE=off keeps nothing.\n\n";
     for (const auto& row : tables::settings)
         if (row.rare)
             out += fmt::format("  {:<24} {}\n",

@@ -117,7 +117,7 @@ Contribution of_environment(const shared::ExplainedSurface& s) {
 DVec3 shown_by(const ExplainedPoint& point) {
     const shared::ExplainedSurface& s = point.surface;
     if (s.ids.z != 0) return rgb(s.base_color) + rgb(s.emissive_nit);
-    DVec3 sum = of_environment(s).sum() + rgb(s.emissive_nit);
+    DVec3 sum = of_environment(s).sum() + rgb(s.emissive_nit) + rgb(s.far_nit);
     for (const shared::ExplainedLight& light : point.lights) sum += of_light(light).sum();
     return sum;
 }

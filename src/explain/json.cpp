@@ -43,7 +43,7 @@ Json json(const scene::Scene& scene, const frame::ExplainedPoint& point) {
     Json lights = Json::array();
     for (const shared::ExplainedLight& light : point.lights) lights.push_back(json(scene, light));
     const DVec3 reflected = DVec3(s.environment_specular);
-    const DVec3 transmitted = DVec3(s.environment_diffuse);
+    const DVec3 transmitted = DVec3(s.environment_diffuse) + DVec3(s.far_weight);
     return {
         {"object", object_name(scene, s.ids.x)},
         {"material", material.name},
@@ -61,6 +61,7 @@ Json json(const scene::Scene& scene, const frame::ExplainedPoint& point) {
         {"ao", s.numbers.z},
         {"clearcoat", {{"strength", s.coat.x}, {"roughness", s.coat.y}, {"reflected", s.coat.z}}},
         {"sheen", {{"roughness", s.sheen.w}, {"reflected", json(s.sheen)}}},
+        {"from_far_side_nit", json(s.far_nit)},
         {"emissive_nit", json(s.emissive_nit)},
         {"textures",
          {{"base_color",
@@ -69,6 +70,7 @@ Json json(const scene::Scene& scene, const frame::ExplainedPoint& point) {
           {"roughness", s.orm_texel.y},
           {"occlusion", s.orm_texel.x},
           {"normal", json(s.normal_texel)},
+          {"bumps", s.normal_texel.w},
           {"emissive", json(s.emissive_texel)}}},
         {"lights", lights},
         {"environment",

@@ -143,6 +143,9 @@ private:
                          fmt::format("{}   = {}", one(s.numbers.y),
                                      factor(material, TextureSlot::metallic_roughness_texture,
                                             one(v.roughness), one(s.orm_texel.y))));
+            if (s.normal_texel.w > 0.0F)
+                rough.add(t("bumps"), fmt::format("r = (r⁴ + α²)^¼, α = {} × {}",
+                                                  one(s.normal_texel.w), one(v.normal_scale)));
             if (s.numbers.w != s.numbers.y) rough.add(t("for_lights"), one(s.numbers.w));
             if (s.orm_texel.w > 0.0F) {
                 // Where rays or the horizon find what is occluded the map has no say.

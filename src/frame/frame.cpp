@@ -274,10 +274,11 @@ base::Status Frame::draw(const gl::Context& gl, const FrameInputs& in, std::uint
     PassTimes unwanted;
     PassTimes& passes = times == nullptr ? unwanted : *times;
     Clock clock(gl, times != nullptr);
-    if (index == 0 && has_maps(in))
+    if ((index == 0 || in.has_moved) && has_maps(in))
         if (auto s = shadow_pass_.run(
                 gl, in.scene,
-                plan_shadow_views(in.lights.lights, in.camera, spec_.picture, in.scene.bounds_m));
+                plan_shadow_views(in.lights.lights, in.camera, spec_.picture, in.scene.bounds_m),
+                in.lights.order);
             !s)
             return s;
     shared::View view = sample_view(in.camera, spec_.picture, spec_.region, index, count);

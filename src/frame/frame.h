@@ -48,6 +48,7 @@ struct FrameInputs {
     const scene::Ground* ground = nullptr;  ///< catches shadows, where rays find them
     /// Of blended surfaces, which rays do not know of; null: `lights`.
     const PackedLights* open_lights = nullptr;
+    bool has_moved = false;  ///< since the sample before: shadow maps are of another scene
 
     /// All the same without rays.
     [[nodiscard]] FrameInputs in_the_open() const {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "gl/context.h"
 
+#include "base/cache_folder.h"
 #include "gl/platform.h"
 
 #include <array>
@@ -164,19 +165,10 @@ std::vector<BackendReport> probe_backends() {
 }
 
 std::string shader_cache_folder() {
-    const auto variable = [](const char* name) -> std::string_view {
-        const char* value = std::getenv(name);
-        return value == nullptr ? "" : value;
-    };
-    if (!variable("MESA_SHADER_CACHE_DIR").empty())
-        return std::string(variable("MESA_SHADER_CACHE_DIR"));
-    std::filesystem::path cache(variable("XDG_CACHE_HOME"));
-    if (!cache.is_absolute()) {
-        const std::filesystem::path home(variable("HOME"));
-        if (!home.is_absolute()) return "";
-        cache = home / ".cache";
-    }
-    return (cache / "facet" / "shaders").string();
+    const char* const of_user = std::getenv("MESA_SHADER_CACHE_DIR");
+    if (of_user != nullptr && *of_user != '\0') return of_user;
+    const std::filesystem::path cache = base::cache_folder();
+    return cache.empty() ? "" : (cache / "shaders").string();
 }
 
 void prepare_environment(unsigned thread_count) {

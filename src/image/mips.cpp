@@ -4,6 +4,8 @@
 
 #include "base/assert.h"
 #include "image/checks.h"
+#include "image/mip_taps.h"
+#include "image/normal_mips.h"
 #include "math/color.h"
 
 #include <algorithm>
@@ -61,27 +63,6 @@ void halve_row_linear(const Byte* top, const Byte* bottom, Byte* out, std::size_
     for (std::size_t x = 0; x < width; ++x, top += 8, bottom += 8, out += 4)
         for (std::size_t c = 0; c < 4; ++c)
             out[c] = static_cast<Byte>((top[c] + top[c + 4] + bottom[c] + bottom[c + 4] + 2) >> 2);
-}
-
-/// The source samples beneath one destination sample of a side `from` long, and their shares (sum
-/// 1).
-struct Taps {
-    std::array<std::size_t, 3> at{};
-    std::array<float, 3> share{};
-};
-/// Box of width from/to: two samples, or parts of three when `from` is odd.
-Taps taps(std::size_t from, std::size_t to, std::size_t index) {
-    Taps out;
-    const double width = static_cast<double>(from) / static_cast<double>(to);
-    const double start = static_cast<double>(index) * width;
-    const auto first = static_cast<std::size_t>(start);
-    for (std::size_t k = 0; k < 3; ++k) {
-        const double low = std::max(start, static_cast<double>(first + k));
-        const double high = std::min(start + width, static_cast<double>(first + k + 1));
-        out.at[k] = std::min(first + k, from - 1);
-        out.share[k] = static_cast<float>(std::max(0.0, high - low) / width);
-    }
-    return out;
 }
 
 void halve_row_odd(const Image& from, Image& to, std::size_t y, bool srgb) {
@@ -187,6 +168,11 @@ std::vector<Image> build_mips(Image rgba8, bool srgb) {
 std::vector<Image> build_mips(Image rgba8, bool srgb, base::ThreadPool& pool) {
     return mips(std::move(rgba8), srgb,
                 [&pool](std::size_t count, const auto& task) { pool.parallel_for(count, task); });
+}
+
+std::vector<Image> build_mips(Image rgba8, tables::Texels texels) {
+    if (texels == tables::Texels::normals) return build_normal_mips(std::move(rgba8));
+    return build_mips(std::move(rgba8), texels == tables::Texels::colors);
 }
 
 }  // namespace facet::image

@@ -4,6 +4,7 @@
 
 #include "base/thread_pool.h"
 #include "image/image.h"
+#include "tables/material.h"
 
 #include <vector>
 
@@ -21,5 +22,7 @@ namespace facet::image {
 [[nodiscard]] std::vector<Image> build_mips(Image rgba8, bool srgb);
 /// The same levels, rows spread over the pool. Not from a task of the pool.
 [[nodiscard]] std::vector<Image> build_mips(Image rgba8, bool srgb, base::ThreadPool& pool);
+/// The levels of a map of a material: these, or of normals build_normal_mips().
+[[nodiscard]] std::vector<Image> build_mips(Image rgba8, tables::Texels texels);
 
 }  // namespace facet::image

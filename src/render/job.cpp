@@ -3,12 +3,15 @@
 #include "render/job.h"
 
 #include "base/file.h"
+#include "render/play.h"
 #include "scene/camera_spec.h"
 #include "scene/lens.h"
+#include "scene/light_shapes.h"
 #include "scene/light_spec.h"
 #include "scene/load.h"
 #include "scene/material_file.h"
 #include "scene/motion.h"
+#include "scene/relief.h"
 #include "scene/set_path.h"
 
 #include <utility>
@@ -45,7 +48,7 @@ base::Status add_lights(const tables::Settings& settings, scene::Scene& scene) {
 std::optional<scene::Ground> ground_below(const scene::Scene& scene, const Plan& plan) {
     if (!plan.has_ground) return std::nullopt;
     constexpr float diagonals = 12.0F;
-    const math::Bounds bounds = scene.bounds_m();
+    const math::Bounds bounds = scene.aimed_bounds_m();
     if (bounds.is_empty()) return std::nullopt;
     const math::Vec3 center = bounds.center();
     return scene::Ground{.height_m = plan.ground_m.value_or(bounds.low.y),
@@ -110,7 +113,7 @@ scene::LoadOptions load_options(const tables::Settings& settings) {
 
 base::Status apply_edits(const tables::Settings& settings, const Plan& plan, Job& job) {
     scene::Scene& scene = job.scene;
-    scene.ground = ground_below(scene, plan);
+    scene::remove_light_shapes(scene);  // their materials are none of the originals
     auto materials = std::exchange(scene.materials, job.originals.materials);
     auto lights = std::exchange(scene.lights, job.originals.lights);
     auto edited = edit(settings, plan, scene);
@@ -118,10 +121,13 @@ base::Status apply_edits(const tables::Settings& settings, const Plan& plan, Job
         job.named_light = settings.light.empty()
                               ? std::nullopt
                               : std::optional(scene.lights.size() - settings.light.size());
-        return edited;
+    } else {
+        scene.materials = std::move(materials);
+        scene.lights = std::move(lights);
     }
-    scene.materials = std::move(materials);
-    scene.lights = std::move(lights);
+    scene::raise_reliefs(scene);
+    if (edited) scene.ground = ground_below(scene, plan);
+    scene::place_light_shapes(scene);
     return edited;
 }
 
@@ -163,8 +169,13 @@ base::Result<Job> load_job(const Request& request, const Plan& plan, base::Threa
     Job job{.scene = std::move(loaded->scene),
             .env_rotation_deg = settings.env_rotation,
             .warnings = std::move(loaded->warnings),
-            .reads = std::move(loaded->reads)};
+            .reads = std::move(loaded->reads),
+            .cache_folder = request.cache_folder};
     job.originals = {job.scene.materials, job.scene.lights};
+    if (auto s = choose_clip(settings, job, job.warnings); !s)
+        return tl::unexpected(base::in_file(s.error(), request.scene));
+    if (auto posed = pose_job(settings, plan, shutter_middle, job); !posed)
+        return tl::unexpected(posed.error());
     if (auto s = apply_edits(settings, plan, job); !s) return tl::unexpected(s.error());
     if (auto s = load_environment(settings, plan, pool, assets, job); !s)
         return tl::unexpected(s.error());

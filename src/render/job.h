@@ -8,6 +8,7 @@
 #include "render/render.h"
 #include "scene/environment.h"
 #include "scene/key_light.h"
+#include "scene/rig.h"
 #include "scene/scene.h"
 
 #include <filesystem>
@@ -23,15 +24,20 @@ struct Originals {
     std::vector<scene::Light> lights;
 };
 
+/// Times of a picture run from 0, where the shutter opens, to 1, where it closes.
+inline constexpr float shutter_middle = 0.5F;
+
 struct Job {
     scene::Scene scene;
     Originals originals;
     scene::Environment environment;
-    scene::Camera camera;
+    scene::Camera camera;               ///< in the middle of the shutter's time
+    const scene::Clip* clip = nullptr;  ///< that is played; the scene's rig has it
     float env_rotation_deg = 0.0F;
     std::optional<std::size_t> named_light;  ///< the first --light among the scene's
     base::Warnings warnings;
     std::vector<std::filesystem::path> reads;
+    std::filesystem::path cache_folder;  ///< the request's
 };
 
 /// How the settings say that a scene is loaded.

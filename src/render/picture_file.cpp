@@ -106,8 +106,9 @@ base::Result<std::vector<fs::path>> write_side_files(const fs::path& output, boo
 }
 
 base::Status check_strict(const Request& request, const Rendered& rendered) {
-    if (!request.settings.strict || rendered.warnings.empty()) return {};
-    const base::Warning& w = rendered.warnings.front();
+    const auto warning = std::ranges::find(rendered.warnings, false, &base::Warning::spares_result);
+    if (!request.settings.strict || warning == rendered.warnings.end()) return {};
+    const base::Warning& w = *warning;
     return base::fail({.code = base::ErrorCode::input_invalid,
                        .file = w.file,
                        .where = w.where,

@@ -56,6 +56,11 @@ struct Plan {
     base::Limits limits;
 };
 
+/// Whether the settings play an animation of the scene's file, should it have one.
+[[nodiscard]] inline bool plays_animation(const tables::Settings& settings) {
+    return settings.time.has_value() || !settings.animation.empty();
+}
+
 /// Errors: usage, naming the option and what it takes.
 [[nodiscard]] base::Result<Plan> make_plan(const tables::Settings& settings);
 

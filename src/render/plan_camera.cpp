@@ -65,7 +65,8 @@ base::Status plan_camera(const tables::Settings& settings, Plan& plan) {
     // pictures.
     constexpr std::uint32_t lens_frames = 4;
     constexpr std::uint32_t least_frames = 16;
-    const bool is_spread = settings.aperture || !settings.motion_blur.empty();
+    const bool is_spread = settings.aperture || !settings.motion_blur.empty() ||
+                           (settings.shutter && plays_animation(settings));
     if (is_spread && settings.samples == 0)
         plan.sample_count = std::max(plan.sample_count * lens_frames, least_frames);
     for (const auto& [option, given] : {std::pair{"--blades", settings.blades > 0},
@@ -90,10 +91,13 @@ base::Status plan_exposure(const tables::Settings& settings, Plan& plan) {
     if (settings.ev && settings.exposure != "auto")
         return usage("--ev", "cannot be given together with --exposure", "",
                      "leave one of them out");
-    if (settings.shutter) {
+    const bool is_set = settings.ev || settings.exposure != "auto";
+    // Of an animation the shutter is how long it is seen for, whatever the exposure comes from.
+    if (settings.shutter && !(plays_animation(settings) && (is_set || !settings.aperture))) {
         if (!settings.aperture)
-            return usage("--shutter", "needs an aperture", "", "add --aperture N, for example 8");
-        if (settings.ev || settings.exposure != "auto")
+            return usage("--shutter", "needs an aperture, or an animation", "",
+                         "add --aperture N, for example 8");
+        if (is_set)
             return usage("--shutter", "cannot be given together with --ev or --exposure", "",
                          "leave one of them out");
         const double ev = scene::exposure_value(static_cast<double>(*settings.aperture),

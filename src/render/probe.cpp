@@ -5,6 +5,7 @@
 #include "render/session.h"
 
 #include <cmath>
+#include <utility>
 
 namespace facet::render {
 namespace {
@@ -43,7 +44,10 @@ base::Status Session::capture_probe() {
     plan_.background = {};
     plan_.aovs.clear();
     plan_.has_probe = false;
+    const bool held_still = std::exchange(holds_still_, true);
     baked_.front().maps.sun.reset();  // a light of its own
+    const auto draws = scene_.draws;
+    std::erase_if(scene_.draws, [](const frame::Draw& draw) { return draw.light.has_value(); });
     const brdf::AlbedoTable table = brdf::albedo_table(plan_.brdf);
     base::Status status;
     for (int i = 0; i < captures && status; ++i) {
@@ -63,7 +67,9 @@ base::Status Session::capture_probe() {
             maps->box = frame::EnvironmentMaps::Box{bounds.low, bounds.high, place};
         probe_maps_ = std::make_unique<frame::EnvironmentMaps>(std::move(*maps));
     }
+    scene_.draws = draws;
     baked_.front().maps.sun = sun;
+    holds_still_ = held_still;
     plan_ = plan;
     auto back = look(camera, plan.region, plan.picture);
     if (back) begin_picture();

@@ -99,6 +99,7 @@ trace::GatherSettings TracedRays::settings() const {
             .intricate = plan_.intricate,
             .most_at_sample = plan_.most_at_sample,
             .frames = frames_,
+            .far = plan_.far,
             .cancelled = &cancelled_,
             .expected = {}};
 }
@@ -122,7 +123,7 @@ frame::IndirectLight TracedRays::indirect(const frame::EnvironmentMaps& environm
 
 frame::SampleLight TracedRays::sample_light(std::uint32_t frame) {
     sample_light_ = scene_.tracer.sample_light(seen_, indirect_, settings(), frame, pool_);
-    return {sample_light_.diffuse, sample_light_.specular};
+    return {sample_light_.diffuse, sample_light_.specular, sample_light_.far};
 }
 
 std::vector<std::uint8_t> TracedRays::visibility(const frame::TileLights& lights, std::size_t slots,

@@ -32,7 +32,7 @@ public:
     [[nodiscard]] frame::IndirectLight indirect(const frame::EnvironmentMaps& environment) override;
     [[nodiscard]] bool has_indirect() const override { return plan_.samples > 0; }
     [[nodiscard]] bool has_sample_light() const override {
-        return plan_.mirrored_alpha > 0.0F || plan_.intricate > 0;
+        return plan_.mirrored_alpha > 0.0F || plan_.intricate > 0 || scene_.draws.is_translucent;
     }
     [[nodiscard]] frame::SampleLight sample_light(std::uint32_t frame) override;
     [[nodiscard]] bool has_shadows() const override { return plan_.shadows; }

@@ -23,6 +23,7 @@ struct Request {
     tables::Settings settings;
     bool want_linear =
         false;  ///< the output holds radiance (EXR, HDR): 32-bit float beauty is returned too
+    std::filesystem::path cache_folder{};  ///< where what can be computed again is kept, or none
 };
 
 /// Milliseconds of wall clock.

@@ -6,6 +6,7 @@
 #include "brdf/albedo.h"
 #include "brdf/glsl_text.h"
 #include "frame/output/exposure.h"
+#include "render/play.h"
 #include "render/rays.h"
 #include "render/stopwatch.h"
 #include "scene/sun.h"
@@ -16,6 +17,11 @@
 #include <future>
 
 namespace facet::render {
+
+/// Paths of a pixel's middle for each sample of a picture whose scene moves meanwhile, and how far
+/// apart such pixels are.
+constexpr std::uint32_t blurred_samples = 2;
+constexpr std::uint32_t blurred_stride = 2;
 
 base::Result<Opened> open(const Request& request, const Plan& plan, base::ThreadPool& pool,
                           base::Log& log, Rendered& out) {
@@ -30,7 +36,7 @@ base::Result<Opened> open(const Request& request, const Plan& plan, base::Thread
     out.ms.load = watch.lap_ms();
     out.backend = gl->backend() + " (" + gl->renderer() + ")";
     out.triangles = job->scene.triangle_count();
-    out.materials = job->scene.materials.size();
+    out.materials = job->originals.materials.size();
     out.warnings = job->warnings;
     out.reads = job->reads;
     return Opened{std::move(*gl), std::move(*job)};
@@ -64,7 +70,8 @@ frame::FrameSpec Session::frame_spec() const {
             .aovs = plan_.aovs};
 }
 
-base::Status Session::upload_environment(base::Warnings& warnings) {
+base::Status Session::upload_environment(const std::filesystem::path& cache_folder,
+                                         base::Warnings& warnings) {
     const auto is_wanted = [&](const Baked& baked) {
         return baked.latlong == job_->environment.latlong && baked.brdf == plan_.brdf &&
                baked.rotation_deg == settings_.env_rotation &&
@@ -80,7 +87,8 @@ base::Status Session::upload_environment(base::Warnings& warnings) {
     const brdf::AlbedoTable table = brdf::albedo_table(plan_.brdf);
     base::Warnings own;
     scene::SplitEnvironment split = scene::split_sun(job_->environment);
-    const frame::EnvironmentSettings turned{settings_.env_rotation, settings_.env_intensity};
+    const frame::EnvironmentSettings turned{settings_.env_rotation, settings_.env_intensity,
+                                            cache_folder};
     auto maps =
         frame::upload_environment(*gl_, split.rest, turned, table.texels, table.size, *pool_, own);
     if (!maps) return tl::unexpected(maps.error());
@@ -137,13 +145,14 @@ frame::FrameInputs Session::inputs(const scene::KeyLight& key, bool with_rays) c
     return {scene_,
             baked_.front().maps,
             has_rays ? *ray_lights_ : *lights_,
-            job_->camera,
+            moved_camera_ ? *moved_camera_ : job_->camera,
             plan_.background,
             key,
             has_rays ? nullptr : probe_maps_.get(),
             has_rays ? rays_.get() : nullptr,
             job_->scene.ground ? &*job_->scene.ground : nullptr,
-            lights_.get()};
+            lights_.get(),
+            has_moved_};
 }
 
 void Session::forget_indirect() {
@@ -177,7 +186,14 @@ base::Status Session::make_rays() {
         if (!made) return tl::unexpected(made.error());
         tracer_ = std::make_unique<trace::Tracer>(std::move(*made));
     }
-    rays_ = std::make_unique<TracedRays>(RayScene{*tracer_, scene_, *ray_lights_}, plan_.rays,
+    tables::RayBudget budget = plan_.rays;
+    if (blurs_animation(settings_, *job_)) {
+        // Every sample finds light of its own, and the picture has their mean.
+        budget.samples = std::min(budget.samples, blurred_samples);
+        budget.most_samples = std::min(budget.most_samples, 2 * blurred_samples);
+        budget.stride = std::max(budget.stride, blurred_stride);
+    }
+    rays_ = std::make_unique<TracedRays>(RayScene{*tracer_, scene_, *ray_lights_}, budget,
                                          plan_.sample_count, settings_.seed, *pool_);
     return {};
 }
@@ -215,6 +231,7 @@ base::Status Session::take_rays() {
 
 base::Status Session::draw(std::uint32_t index, std::uint32_t count, frame::PassTimes* times,
                            bool with_rays) {
+    if (auto moved = move_to(frame::sample_time(index, count)); !moved) return moved;
     if (with_rays) {
         if (asked_) forget_indirect();
         if (auto made = make_rays(); !made) return made;
@@ -223,12 +240,15 @@ base::Status Session::draw(std::uint32_t index, std::uint32_t count, frame::Pass
         if (auto captured = capture_probe(); !captured) return captured;
     const scene::KeyLight key = key_light_for(plan_.aovs);
     const frame::FrameInputs in = inputs(key, with_rays);
-    if (index == 0 && with_rays && !has_indirect_)
+    if ((index == 0 || has_moved_) && with_rays && !has_indirect_)
         if (auto found = frame_->find_indirect(*gl_, in); !found) return found;
-    return frame_->draw(*gl_, in, index, count, times);
+    auto drawn = frame_->draw(*gl_, in, index, count, times);
+    has_moved_ = false;
+    return drawn;
 }
 
 base::Status Session::draw_centered_aovs() {
+    if (auto moved = move_to(shutter_middle); !moved) return moved;
     return frame_->draw_centered_aovs(*gl_, inputs(key_light_for(plan_.aovs)));
 }
 
@@ -240,8 +260,12 @@ base::Result<std::vector<frame::ExplainedPixel>> Session::explain(
         explainer_ = std::move(*made);
     }
     forget_indirect();
+    if (auto moved = move_to(frame::sample_time(index, count)); !moved)
+        return tl::unexpected(moved.error());
     if (auto made = make_rays(); !made) return tl::unexpected(made.error());
-    return explainer_->draw(*gl_, inputs({}), pixels, index, count);
+    frame::FrameInputs in = inputs({});
+    in.has_moved = blurs_animation(settings_, *job_);  // since its own sample before
+    return explainer_->draw(*gl_, in, pixels, index, count);
 }
 
 double Session::measure_exposure(std::uint32_t count) {

@@ -70,7 +70,10 @@ public:
     [[nodiscard]] Asked asked() const;
     /// What they found, for the samples from the next 0 on, until the picture changes.
     [[nodiscard]] base::Status take_rays();
+    /// Through the middles of the pixels, in the middle of the shutter's time.
     [[nodiscard]] base::Status draw_centered_aovs();
+    /// Draws what an animation moves where it is in the middle of the shutter's time, from now on.
+    void hold_still() { holds_still_ = true; }
     /// Another view of the scene from the next sample 0 on: a region of a picture, the whole unless
     /// told.
     [[nodiscard]] base::Status look(const scene::Camera& camera, const frame::Region& region,
@@ -93,7 +96,8 @@ public:
     [[nodiscard]] const Plan& plan() const { return plan_; }
     /// What shines as the sun of the environment, apart from the rest of it.
     [[nodiscard]] const std::optional<scene::Light>& sun() const { return baked_.front().maps.sun; }
-    /// Replaces the scene's lights from the next frame on.
+    /// Replaces the scene's lights from the next frame on; the shapes of visible ones stay as they
+    /// are.
     void set_lights(std::span<const scene::Light> lights);
     /// display() of a picture that comes from elsewhere: f32 [height, width, 4], nit, associated
     /// coverage.
@@ -118,7 +122,9 @@ private:
                                                           std::uint32_t count) const;
     [[nodiscard]] frame::FrameSpec frame_spec() const;
     /// The parts of the upload; each from job_, settings_ and plan_.
-    [[nodiscard]] base::Status upload_environment(base::Warnings& warnings);
+    /// `cache_folder`: where what is baked is kept; empty: nowhere.
+    [[nodiscard]] base::Status upload_environment(const std::filesystem::path& cache_folder,
+                                                  base::Warnings& warnings);
     void pack_lights();
     /// Light of the scene at the plan's probe: `probe_maps_`.
     [[nodiscard]] base::Status capture_probe();
@@ -132,6 +138,11 @@ private:
     [[nodiscard]] base::Status change(const tables::Settings& settings, const Plan& plan,
                                       base::Warnings& warnings);
     [[nodiscard]] base::Status change_scene(const tables::Settings& settings, const Plan& plan);
+    /// Plays what the settings say from now on; edits are made again.
+    [[nodiscard]] base::Status change_time(const tables::Settings& settings, const Plan& plan,
+                                           base::Warnings& warnings);
+    /// Moves everything to where it is at `part` of the shutter's time.
+    [[nodiscard]] base::Status move_to(float part);
 
     /// An environment on the GL, and what it was made from.
     struct Baked {
@@ -161,7 +172,12 @@ private:
     std::unique_ptr<AskedRays> asked_;                 ///< running, or done and not taken
     bool has_indirect_ = false;                        ///< taken
     std::unique_ptr<frame::EnvironmentMaps>
-        probe_maps_;  ///< captured at need, until the scene changes
+        probe_maps_;                  ///< captured at need, until the scene changes
+    tables::Settings clip_settings_;  ///< that the job's clip was chosen by
+    bool holds_still_ = false;
+    float part_ = shutter_middle;                ///< of the shutter's time, where everything is
+    bool has_moved_ = false;                     ///< since the sample before
+    std::optional<scene::Camera> moved_camera_;  ///< where a node carries it to, at `part_`
     std::optional<frame::Frame> frame_;
     std::optional<frame::Frame> probe_;          ///< made at first need
     std::optional<frame::Explainer> explainer_;  ///< likewise

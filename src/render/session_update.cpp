@@ -1,7 +1,9 @@
 // A session under other settings: only what they change is done again.
 // SPDX-License-Identifier: MIT
+#include "render/play.h"
 #include "render/rays.h"
 #include "render/session.h"
+#include "trace/trace.h"
 
 #include <utility>
 
@@ -13,6 +15,14 @@ using tables::Settings;
 bool edits_differ(const Settings& a, const Settings& b) {
     return a.light != b.light || a.no_file_lights != b.no_file_lights || a.set != b.set ||
            a.material != b.material || a.ground != b.ground;
+}
+
+bool time_differs(const Settings& a, const Settings& b) {
+    return a.time != b.time || a.animation != b.animation || a.shutter != b.shutter;
+}
+
+bool clip_differs(const Settings& a, const Settings& b) {
+    return plays_animation(a) != plays_animation(b) || a.animation != b.animation;
 }
 
 bool camera_differs(const Settings& a, const Settings& b) {
@@ -29,6 +39,10 @@ bool targets_differ(const frame::FrameSpec& a, const frame::FrameSpec& b) {
            a.rays != b.rays || a.maps != b.maps || a.aovs != b.aovs;
 }
 
+bool is_moved(const math::Bounds& a, const math::Bounds& b) {
+    return a.low != b.low || a.high != b.high;
+}
+
 }  // namespace
 
 base::Status Session::change_scene(const Settings& settings, const Plan& plan) {
@@ -36,6 +50,44 @@ base::Status Session::change_scene(const Settings& settings, const Plan& plan) {
     if (auto s = frame::update_scene(*gl_, job_->scene, filtering_of(plan_), *pool_, scene_); !s)
         return s;
     set_lights(job_->scene.lights);
+    return {};
+}
+
+base::Status Session::change_time(const Settings& settings, const Plan& plan,
+                                  base::Warnings& warnings) {
+    forget_rays();
+    const bool is_other = clip_differs(settings, clip_settings_);
+    if (is_other)
+        if (auto s = choose_clip(settings, *job_, warnings); !s) return s;
+    clip_settings_ = settings;
+    const auto posed = pose_job(settings, plan, shutter_middle, *job_);
+    if (!posed) return tl::unexpected(posed.error());
+    part_ = shutter_middle;
+    moved_camera_.reset();
+    if (auto s = apply_edits(settings, plan, *job_); !s) return s;
+    if (auto s = frame::move_scene(*gl_, job_->scene, filtering_of(plan_), *pool_,
+                                   is_other || posed->has_meshes, scene_);
+        !s)
+        return s;
+    set_lights(job_->scene.lights);
+    return aim_camera(settings, *job_);
+}
+
+base::Status Session::move_to(float part) {
+    if (holds_still_ || part == part_ || !blurs_animation(settings_, *job_)) return {};
+    forget_indirect();
+    const auto posed = pose_job(settings_, plan_, part, *job_);
+    if (!posed) return tl::unexpected(posed.error());
+    if (posed->has_lights) set_lights(job_->scene.lights);
+    if (auto s = frame::move_scene(*gl_, job_->scene, filtering_of(plan_), *pool_,
+                                   posed->has_meshes, scene_);
+        !s)
+        return s;
+    if (tracer_)
+        if (auto s = tracer_->follow_scene(plan_.limits); !s) return s;
+    part_ = part;
+    has_moved_ = true;
+    moved_camera_ = camera_at(settings_, part, *job_);
     return {};
 }
 
@@ -47,20 +99,26 @@ base::Status Session::change(const Settings& settings, const Plan& plan, base::W
     job_->env_rotation_deg = settings.env_rotation;
     const bool new_filtering = !(filtering_of(plan) == filtering_of(plan_before));
     const bool new_brdf = !(plan.brdf == plan_before.brdf);
+    const math::Bounds seen_before = job_->scene.seen_bounds_m();
     const bool new_environment = settings.env != before.env;
     const bool new_light = new_environment || settings.env_rotation != before.env_rotation ||
                            settings.env_intensity != before.env_intensity;
     if (edits_differ(settings, before) || new_brdf || new_light || settings.probe != before.probe)
         forget_rays();
+    // Samples of a blurred picture leave the scene at the last one's time.
+    if (time_differs(settings, before) || part_ != shutter_middle)
+        if (auto s = change_time(settings, plan, warnings); !s) return s;
     if (!(plan.rays == plan_before.rays) || settings.seed != before.seed) rays_.reset();
     if (edits_differ(settings, before) || new_filtering)
         if (auto s = change_scene(settings, plan); !s) return s;
-    if (camera_differs(settings, before))
+    // Lights that are seen move the depth range.
+    if (camera_differs(settings, before) || is_moved(seen_before, job_->scene.seen_bounds_m()))
         if (auto s = aim_camera(settings, *job_); !s) return s;
     if (new_environment)
         if (auto s = load_environment(settings, plan, *pool_, assets_, *job_); !s) return s;
     if (new_brdf || new_light) {
-        if (auto s = upload_environment(warnings); !s) return s;
+        // Nothing is kept of what is turned and dimmed on the way: there may be hundreds of it.
+        if (auto s = upload_environment({}, warnings); !s) return s;
         pack_lights();
     }
     if (new_brdf) return make_frame();
@@ -72,6 +130,8 @@ base::Status Session::look(const scene::Camera& camera, const frame::Region& reg
                            math::Extent picture) {
     forget_indirect();
     job_->camera = camera;
+    moved_camera_.reset();
+    if (part_ != shutter_middle) moved_camera_ = camera_at(settings_, part_, *job_);
     plan_.region = region;
     plan_.picture = picture.pixels() > 0 ? picture : region.size;
     explainer_.reset();
@@ -85,13 +145,16 @@ base::Status Session::enter(Job job, const Settings& settings, const Plan& plan,
     forget_rays();
     job_ = std::make_unique<Job>(std::move(job));
     settings_ = settings;
+    clip_settings_ = settings;
     plan_ = plan;
     explainer_.reset();
+    part_ = shutter_middle;
+    moved_camera_.reset();
     scene_ = {};  // before the next one needs the memory
     auto scene = frame::upload_scene(*gl_, job_->scene, filtering_of(plan_), *pool_);
     if (!scene) return tl::unexpected(scene.error());
     scene_ = std::move(*scene);
-    if (auto s = upload_environment(warnings); !s) return s;
+    if (auto s = upload_environment(job_->cache_folder, warnings); !s) return s;
     set_lights(job_->scene.lights);
     if (!has_frame) return make_frame();
     if (targets_differ(frame_spec(), frame_->spec())) return frame_->resize(*gl_, frame_spec());

@@ -109,12 +109,15 @@ float fitting_distance(const math::Bounds& bounds, const math::Mat3& axes, const
     return distance;
 }
 
-/// The scene's box made finite and not empty.
+math::Bounds finite(const math::Bounds& b) {
+    return {glm::clamp(b.low, Vec3(-largest_extent_m), Vec3(largest_extent_m)),
+            glm::clamp(b.high, Vec3(-largest_extent_m), Vec3(largest_extent_m))};
+}
+
+/// The box that cameras are aimed at made finite and not empty.
 math::Bounds framed_bounds(const Scene& scene) {
-    math::Bounds b = scene.bounds_m();
+    math::Bounds b = finite(scene.aimed_bounds_m());
     if (b.is_empty()) return {Vec3(-0.5F), Vec3(0.5F)};
-    b.low = glm::clamp(b.low, Vec3(-largest_extent_m), Vec3(largest_extent_m));
-    b.high = glm::clamp(b.high, Vec3(-largest_extent_m), Vec3(largest_extent_m));
     if (b.diagonal() < smallest_extent_m) {
         b.low -= Vec3(smallest_extent_m);
         b.high += Vec3(smallest_extent_m);
@@ -122,19 +125,26 @@ math::Bounds framed_bounds(const Scene& scene) {
     return b;
 }
 
-/// Near and far planes around the scene, for cameras that do not come with the file.
-void set_depth_range(Camera& camera, const math::Bounds& bounds) {
+/// Smallest and largest depth of a box.
+Vec2 depths_of(const Camera& camera, const math::Bounds& bounds) {
     const Mat4 view = view_from_world(camera);
-    float far = 0.0F;
-    float near = 1e30F;
+    Vec2 out(1e30F, 0.0F);
     for (const Vec3& corner : corners(bounds)) {
         const float depth = -(view * Vec4(corner, 1.0F)).z;
-        far = std::max(far, depth);
-        near = std::min(near, depth);
+        out = {std::min(out.x, depth), std::max(out.y, depth)};
     }
-    far = std::max(far * 1.01F, smallest_extent_m);
-    camera.far_m = far;
-    camera.near_m = std::max(near * 0.99F, far * near_share);
+    return out;
+}
+
+/// Near and far planes around `model` and all else that is seen, for cameras that do not come with
+/// the file.
+void set_depth_range(Camera& camera, const math::Bounds& model, const math::Bounds& seen) {
+    const Vec2 of_model = depths_of(camera, model);
+    const Vec2 of_seen = seen.is_empty() ? of_model : depths_of(camera, seen);
+    const auto far = [](float depth) { return std::max(depth * 1.01F, smallest_extent_m); };
+    camera.far_m = far(std::max(of_model.y, of_seen.y));
+    // By the model alone: a lamp far away cuts nothing off that is near.
+    camera.near_m = std::max(std::min(of_model.x, of_seen.x) * 0.99F, far(of_model.y) * near_share);
 }
 
 /// Where an orbit's eye is, when its distance is not given.
@@ -170,7 +180,11 @@ Camera orbit_camera(const Scene& scene, const Orbit& orbit, float fov_deg, math:
                                : fitted_distance(orbit, bounds, target, camera.yfov_rad, aspect);
     camera.world_from_view = Mat4(axes);
     camera.world_from_view[3] = Vec4(target + axes[2] * distance, 1.0F);
-    set_depth_range(camera, bounds);
+    math::Bounds model = bounds;
+    // What has moved since is to be seen too.
+    if (const math::Bounds now = scene.bounds_m(); scene.aimed_m && !now.is_empty())
+        for (const Vec3& corner : corners(finite(now))) model.add(corner);
+    set_depth_range(camera, model, finite(scene.seen_bounds_m()));
     return camera;
 }
 

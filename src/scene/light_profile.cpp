@@ -3,24 +3,20 @@
 #include "scene/light_profile.h"
 
 #include "base/file.h"
-#include "base/resources.h"
 #include "base/text.h"
 #include "brdf/light_terms.h"
+#include "scene/builtin_files.h"
 
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <numbers>
 #include <optional>
 
 namespace facet::scene {
 namespace {
 
-namespace fs = std::filesystem;
-
-constexpr std::string_view lamps = "resources/lamps";
 constexpr std::size_t max_file_bytes = std::size_t{4} << 20U;
 constexpr double max_candela = 1e9;
 
@@ -218,20 +214,6 @@ base::Status skip_head(Reader& in) {
     return {};
 }
 
-base::Result<fs::path> path_of_lamp(const std::string& name) {
-    if (!name.starts_with(builtin_prefix)) return fs::path(name);
-    const auto data = base::data_folder();
-    if (!data) return tl::unexpected(data.error());
-    const std::string lamp = name.substr(builtin_prefix.size());
-    const std::vector<std::string> names = builtin_lamp_names();
-    if (std::ranges::find(names, lamp) != names.end()) return *data / lamps / (lamp + ".ies");
-    return base::fail({.code = base::ErrorCode::usage,
-                       .file = name,
-                       .what = "no such built-in lamp",
-                       .found = {},
-                       .remedy = base::suggestion(lamp, names)});
-}
-
 }  // namespace
 
 base::Result<LightProfile> parse_profile(std::string_view text) {
@@ -279,20 +261,8 @@ base::Result<LightProfile> parse_profile(std::string_view text) {
     return tabulated(m, in.line());
 }
 
-std::vector<std::string> builtin_lamp_names() {
-    std::vector<std::string> names;
-    const auto data = base::data_folder();
-    if (!data) return names;
-    std::error_code error;
-    for (fs::directory_iterator entry(*data / lamps, error), end; !error && entry != end;
-         entry.increment(error))
-        if (entry->path().extension() == ".ies") names.push_back(entry->path().stem().string());
-    std::ranges::sort(names);
-    return names;
-}
-
 base::Result<LightProfile> read_profile(const std::string& name) {
-    const auto path = path_of_lamp(name);
+    const auto path = file_of(name, builtin_lamps);
     if (!path) return tl::unexpected(path.error());
     const auto text = base::read_text_file(*path, max_file_bytes);
     if (!text) return tl::unexpected(text.error());

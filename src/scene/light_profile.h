@@ -34,9 +34,6 @@ struct LightProfile {
 /// that name. Errors: usage too, where there is no such lamp.
 [[nodiscard]] base::Result<LightProfile> read_profile(const std::string& name);
 
-/// What can follow "builtin:", sorted.
-[[nodiscard]] std::vector<std::string> builtin_lamp_names();
-
 /// The lamp's axes, as glsl/light/profile.glsl has them: azimuth 0 is level, and to the right of a
 /// lamp that shines down as one looks along -z.
 [[nodiscard]] LightAxes profile_axes(const Light& light);

@@ -140,15 +140,6 @@ base::Status set_range(Light& light, std::string_view value) {
     return {};
 }
 
-tl::unexpected<base::Error> not_there_yet(std::string what, std::string_view found) {
-    return base::fail({.code = base::ErrorCode::feature_missing,
-                       .file = {},
-                       .where = {},
-                       .what = std::move(what),
-                       .found = std::string(found),
-                       .remedy = "leave it out"});
-}
-
 const tables::LightKindRow& row_of(LightKind kind) {
     return tables::light_kinds[static_cast<std::size_t>(kind)];
 }
@@ -172,10 +163,14 @@ base::Status set_shadow(Light& light, std::string_view value) {
     return {};
 }
 
-base::Status check_visible(std::string_view value) {
+base::Status set_visible(Light& light, std::string_view value) {
     const auto on = switch_of("visible", value);
     if (!on) return tl::unexpected(on.error());
-    if (*on) return not_there_yet("visible of lights is not there yet", value);
+    if (*on && !row_of(light.kind).area)
+        return usage_error(
+            fmt::format("{} lights have no shape that could be seen", row_of(light.kind).key),
+            "visible=on", "one of sphere, rect, disk, tube has; or leave it out");
+    light.is_visible = *on;
     return {};
 }
 
@@ -188,7 +183,7 @@ base::Status check_cone(const Light& light) {
 }
 
 base::Status set_unchecked(Light& light, std::string_view key, std::string_view value) {
-    if (key == "visible") return check_visible(value);
+    if (key == "visible") return set_visible(light, value);
     const auto keys = keys_of(light.kind);
     if (std::find(keys.begin(), keys.end(), key) == keys.end())
         return usage_error(fmt::format("unknown key of a {} light", row_of(light.kind).key), key,
@@ -340,6 +335,7 @@ std::string light_key_text(const Light& light, std::string_view key) {
     if (key == "width") return number(light.width_m);
     if (key == "height") return number(light.height_m);
     if (key == "shadow") return light.casts_shadow ? "on" : "off";
+    if (key == "visible") return light.is_visible ? "on" : "off";
     if (key == "lumen") return number(light.intensity * flux_per_intensity(light));
     return key == row_of(light.kind).unit ? number(light.intensity) : std::string();
 }

@@ -50,12 +50,8 @@ struct Loaded {
                                                      const LoadOptions& options,
                                                      const base::Limits& limits);
 
-/// The file of a scene's name. Errors: usage (no such built-in scene).
-[[nodiscard]] base::Result<std::filesystem::path> path_of(const std::string& name);
 /// What files made of a scene are called, without an ending: of "-" it is "stdin".
 [[nodiscard]] std::string stem_of(const std::string& name);
-/// What can follow "builtin:", sorted.
-[[nodiscard]] std::vector<std::string> builtin_scene_names();
 
 /// One finding of `facet check`, in the words and codes of the Khronos glTF-Validator.
 struct Finding {

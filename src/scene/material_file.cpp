@@ -8,6 +8,7 @@
 #include "base/text.h"
 #include "scene/gltf/json.h"
 #include "scene/spec.h"
+#include "scene/tangents.h"
 
 #include <spdlog/fmt/fmt.h>
 
@@ -191,7 +192,10 @@ base::Status apply_material_setting(Scene& scene, const std::string& assignment,
         apply_material(*file, material);
         any = true;
     }
-    if (any) return {};
+    if (any) {
+        generate_missing_tangents(scene);
+        return {};
+    }
     return usage_error("no material of this name", name, suggestion(name, names));
 }
 

@@ -3,6 +3,7 @@
 #include "scene/save.h"
 
 #include "base/file.h"
+#include "scene/builtin_files.h"
 #include "scene/gltf/save_materials.h"
 
 #include <algorithm>
@@ -92,7 +93,7 @@ base::Result<Saved> save_unguarded(const SaveRequest& request, const base::Limit
                            .found = ending});
     if (auto writable = base::check_writable(request.target); !writable)
         return tl::unexpected(writable.error());
-    const auto path = path_of(request.source);
+    const auto path = file_of(request.source, builtin_scenes);
     if (!path) return tl::unexpected(path.error());
     auto asset = open(request, *path, limits);
     if (!asset) return tl::unexpected(asset.error());

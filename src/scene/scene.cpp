@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "scene/scene.h"
 
+#include "scene/rig.h"
+
 #include <cmath>
 
 namespace facet::scene {
@@ -13,10 +15,13 @@ std::uint64_t Scene::triangle_count() const {
     return count;
 }
 
-math::Bounds Scene::bounds_m() const {
+namespace {
+
+math::Bounds bounds_of(const Scene& scene, bool with_lights) {
     math::Bounds bounds;
-    for (const Instance& instance : instances) {
-        const math::Bounds& box = meshes[instance.mesh.index].bounds_m;
+    for (const Instance& instance : scene.instances) {
+        if (instance.light && !with_lights) continue;
+        const math::Bounds& box = scene.meshes[instance.mesh.index].bounds_m;
         if (box.is_empty()) continue;
         for (unsigned corner = 0; corner < 8; ++corner) {
             const Vec3 at((corner & 1U) != 0 ? box.high.x : box.low.x,
@@ -28,10 +33,15 @@ math::Bounds Scene::bounds_m() const {
     return bounds;
 }
 
+}  // namespace
+
+math::Bounds Scene::bounds_m() const { return bounds_of(*this, false); }
+math::Bounds Scene::seen_bounds_m() const { return bounds_of(*this, true); }
+
 std::size_t Scene::memory_bytes() const {
     std::size_t bytes = 0;
     const auto add = [&](const auto& values) { bytes += values.size() * sizeof(values.front()); };
-    for (const Mesh& mesh : meshes) {
+    const auto add_mesh = [&](const Mesh& mesh) {
         add(mesh.positions_m);
         add(mesh.normals);
         add(mesh.tangents);
@@ -39,6 +49,24 @@ std::size_t Scene::memory_bytes() const {
         add(mesh.uv1);
         add(mesh.colors);
         add(mesh.indices);
+    };
+    for (const Mesh& mesh : meshes) add_mesh(mesh);
+    if (rig != nullptr) {
+        for (const Shape& shape : rig->shapes) {
+            add_mesh(shape.mesh);
+            add(shape.joints);
+            add(shape.joint_weights);
+            for (const MorphTarget& target : shape.targets) {
+                add(target.positions_m);
+                add(target.normals);
+                add(target.tangents);
+            }
+        }
+        for (const Clip& clip : rig->clips)
+            for (const Keyframes& keyframes : clip.keyframes) {
+                add(keyframes.times_s);
+                add(keyframes.values);
+            }
     }
     for (const SceneImage& image : images)
         if (image.pixels != nullptr) bytes += image.pixels->bytes.size();

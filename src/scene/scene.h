@@ -47,6 +47,7 @@ struct Texture {
     bool nearest = false;      ///< magnified without filtering
     std::uint32_t uv_set = 0;  ///< 0 or 1
     Mat3 uv_from_uv{1.0F};     ///< KHR_texture_transform: T * R * S
+    bool operator==(const Texture&) const = default;
 };
 
 struct Material {
@@ -67,6 +68,8 @@ struct Material {
     }
 };
 
+struct Relief;
+
 /// Triangles of one material. Arrays besides `positions_m` are empty or of the same length.
 struct Mesh {
     std::string name;
@@ -76,9 +79,17 @@ struct Mesh {
     std::vector<Vec4> tangents;  ///< xyz unit, w = handedness; empty where no normal map needs them
     std::vector<Vec2> uv0;
     std::vector<Vec2> uv1;
-    std::vector<Vec4> colors;            ///< linear Rec.709, straight alpha
-    std::vector<std::uint32_t> indices;  ///< three a triangle, counter-clockwise is front
-    math::Bounds bounds_m;               ///< of positions_m
+    std::vector<Vec4> colors;              ///< linear Rec.709, straight alpha
+    std::vector<std::uint32_t> indices;    ///< three a triangle, counter-clockwise is front
+    math::Bounds bounds_m;                 ///< of positions_m
+    bool is_mirrored = false;              ///< turned round, for matrices that mirror
+    std::optional<MeshId> mirror_image{};  ///< the same mesh for the other kind, where it is made
+    std::shared_ptr<const Relief> relief;  ///< that a height map gave it, else null
+
+    /// Texture coordinates of that set, 0 or 1; empty where it has none.
+    [[nodiscard]] const std::vector<Vec2>& uv(std::uint32_t set) const {
+        return set == 0 ? uv0 : uv1;
+    }
 };
 
 /// A mesh placed in the world. Where world_from_object mirrors (negative determinant) the importer
@@ -88,8 +99,9 @@ struct Mesh {
 struct Instance {
     MeshId mesh;
     Mat4 world_from_object{1.0F};
-    std::string node;             ///< name of the node it came from
-    std::uint32_t object_id = 0;  ///< node index + 1; 0 is the background
+    std::string node;                      ///< name of the node it came from
+    std::uint32_t object_id = 0;           ///< node index + 1; 0 is the background
+    std::optional<std::uint32_t> light{};  ///< whose shape it is, no part of the model
 };
 
 struct LightProfile;
@@ -114,6 +126,7 @@ struct Light {
     /// reference leaves it out.
     bool stands_in = false;
     bool casts_shadow = true;
+    bool is_visible = false;      ///< its shape is in the scene: place_light_shapes()
     bool of_environment = false;  ///< its sun: among light paths it counts as the environment's
     std::optional<std::uint32_t> source_node;  ///< that it hangs on in the file
 };
@@ -157,8 +170,9 @@ struct Camera {
     std::uint32_t blades = 0;    ///< corners of its aperture; below 3: round
     Barrel barrel{};
     CameraMotion motion{};
-    float distortion = 0.0F;  ///< scene::source_of()
-    float aberration = 0.0F;  ///< likewise
+    float distortion = 0.0F;                     ///< scene::source_of()
+    float aberration = 0.0F;                     ///< likewise
+    std::optional<std::uint32_t> source_node{};  ///< that it hangs on in the file
 };
 
 /// An image the materials use; null where it could not be read and a white pixel stands in.
@@ -178,6 +192,8 @@ struct Ground {
     bool operator==(const Ground&) const = default;
 };
 
+struct Rig;
+
 struct Scene {
     std::string name;
     std::vector<SceneImage> images;
@@ -190,13 +206,18 @@ struct Scene {
     std::vector<std::string> extensions_used;
     std::vector<std::string> animations;  ///< clip names
     std::vector<std::string> variants;    ///< KHR_materials_variants names
+    std::shared_ptr<const Rig> rig;       ///< of a file with animations, else null
+    /// Where cameras are aimed that come from no file, whatever moves; none: bounds_m().
+    std::optional<math::Bounds> aimed_m;
 
     [[nodiscard]] const Material& material_of(const Instance& instance) const {
         return materials[meshes[instance.mesh.index].material.index];
     }
     [[nodiscard]] std::uint64_t triangle_count() const;  ///< instances counted each
-    [[nodiscard]] math::Bounds bounds_m() const;         ///< world space
-    [[nodiscard]] std::size_t memory_bytes() const;      ///< of vertices, indices and pixels
+    [[nodiscard]] math::Bounds bounds_m() const;         ///< of the model, world space
+    [[nodiscard]] math::Bounds seen_bounds_m() const;    ///< and of lights' shapes
+    [[nodiscard]] math::Bounds aimed_bounds_m() const { return aimed_m ? *aimed_m : bounds_m(); }
+    [[nodiscard]] std::size_t memory_bytes() const;  ///< of vertices, indices and pixels
 };
 
 }  // namespace facet::scene

@@ -6,6 +6,7 @@
 #include "scene/light_spec.h"
 #include "scene/set_texture.h"
 #include "scene/spec.h"
+#include "scene/tangents.h"
 
 #include <spdlog/fmt/fmt.h>
 
@@ -153,10 +154,14 @@ base::Status apply_set(Scene& scene, const std::string& assignment, const base::
         if (!found) return tl::unexpected(placed(found.error()));
         return set_texture(scene, *found, *slot, std::string(value), limits).map_error(placed);
     }
-    if (path->room == "material")
-        return set_all<Material>(scene.materials, *path,
-                                 [&](Material& m) { return set_material_key(m, path->key, value); })
-            .map_error(placed);
+    if (path->room == "material") {
+        const auto set = set_all<Material>(scene.materials, *path, [&](Material& m) {
+            return set_material_key(m, path->key, value);
+        });
+        if (!set) return tl::unexpected(placed(set.error()));
+        generate_missing_tangents(scene);
+        return {};
+    }
     return set_all<Light>(scene.lights, *path,
                           [&](Light& light) { return set_light_key(light, path->key, value); })
         .map_error(placed);

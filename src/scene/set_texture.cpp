@@ -4,6 +4,7 @@
 
 #include "base/file.h"
 #include "image/read.h"
+#include "scene/builtin_files.h"
 #include "scene/spec.h"
 #include "scene/tangents.h"
 
@@ -17,7 +18,9 @@ base::Result<ImageId> image_of(Scene& scene, const std::string& file, const base
     for (std::size_t i = 0; i < scene.images.size(); ++i)
         if (scene.images[i].is_added && scene.images[i].name == file)
             return ImageId{static_cast<std::uint32_t>(i)};
-    const auto bytes = base::read_file(file, limits.file_bytes);
+    const auto path = file_of(file, builtin_textures);
+    if (!path) return tl::unexpected(path.error());
+    const auto bytes = base::read_file(*path, limits.file_bytes);
     if (!bytes) return tl::unexpected(bytes.error());
     base::Warnings warnings;
     auto pixels = image::decode(*bytes, limits, warnings);
@@ -35,7 +38,7 @@ bool is_one_of(std::span<const std::size_t> materials, const Mesh& mesh) {
 bool has_coordinates(const Scene& scene, std::span<const std::size_t> materials,
                      std::uint32_t uv_set) {
     return std::any_of(scene.meshes.begin(), scene.meshes.end(), [&](const Mesh& mesh) {
-        return is_one_of(materials, mesh) && !(uv_set == 0 ? mesh.uv0 : mesh.uv1).empty();
+        return is_one_of(materials, mesh) && !mesh.uv(uv_set).empty();
     });
 }
 
@@ -43,7 +46,7 @@ bool has_coordinates(const Scene& scene, std::span<const std::size_t> materials,
 
 base::Status set_texture(Scene& scene, std::span<const std::size_t> materials, std::size_t slot,
                          const std::string& file, const base::Limits& limits) {
-    if (!has_coordinates(scene, materials, 0))
+    if (!tables::material_textures[slot].is_ramp && !has_coordinates(scene, materials, 0))
         return usage_error("the material's meshes have no texture coordinates", file,
                            "unwrap them where they were modelled");
     const auto image = image_of(scene, file, limits);
@@ -53,10 +56,7 @@ base::Status set_texture(Scene& scene, std::span<const std::size_t> materials, s
         texture = texture.value_or(Texture{});
         texture->image = *image;
     }
-    if (!tables::material_textures[slot].is_normal_map) return {};
-    for (Mesh& mesh : scene.meshes)
-        if (is_one_of(materials, mesh) && mesh.tangents.empty() && !mesh.uv0.empty())
-            generate_tangents(mesh, 0);
+    generate_missing_tangents(scene);
     return {};
 }
 

@@ -3,6 +3,8 @@
 #include "scene/tangents.h"
 
 #include "base/assert.h"
+#include "scene/lobes.h"
+#include "scene/relief.h"
 #include "scene/tangents_topology.h"
 
 #include <algorithm>
@@ -203,10 +205,16 @@ void split_vertices(Mesh& mesh, const std::vector<Vec4>& by_corner) {
         if (!is_set[v]) mesh.tangents[v] = any_tangent(mesh.normals[v]);
 }
 
+/// As a lathe brushes: level, and square to the normal.
+Vec4 around_axis(const Vec3& normal) {
+    const Vec3 along = normalized_or_zero(math::cross(Vec3(0.0F, 1.0F, 0.0F), normal));
+    return {along == Vec3(0.0F) ? Vec3(1.0F, 0.0F, 0.0F) : along, 1.0F};
+}
+
 }  // namespace
 
 void generate_tangents(Mesh& mesh, std::uint32_t uv_set) {
-    const std::vector<Vec2>& uv = uv_set == 0 ? mesh.uv0 : mesh.uv1;
+    const std::vector<Vec2>& uv = mesh.uv(uv_set);
     FACET_ASSERT(uv.size() == mesh.positions_m.size() &&
                  mesh.normals.size() == mesh.positions_m.size());
     Work work{.mesh = mesh,
@@ -230,6 +238,34 @@ void generate_tangents(Mesh& mesh, std::uint32_t uv_set) {
     for (std::uint32_t corner = 0; corner < corner_count; ++corner)
         by_corner[corner] = corner_tangent(work, corner);
     split_vertices(mesh, by_corner);
+}
+
+std::optional<Texture> tangents_texture(const Material& material) {
+    for (std::size_t slot = 0; slot < material.textures.size(); ++slot)
+        if (material.textures[slot] && tables::material_textures[slot].is_normal_map)
+            return material.textures[slot];
+    if (!has_lobe(material, tables::Lobe::anisotropy)) return std::nullopt;
+    return material.texture(tables::TextureSlot::anisotropy_texture).value_or(Texture{});
+}
+
+void fill_tangents(Mesh& mesh, const Material& material) {
+    const auto texture = tangents_texture(material);
+    if (!texture || !mesh.tangents.empty()) return;
+    if (!mesh.uv(texture->uv_set).empty()) {
+        generate_tangents(mesh, texture->uv_set);
+    } else if (has_lobe(material, tables::Lobe::anisotropy)) {
+        mesh.tangents.reserve(mesh.normals.size());
+        for (const Vec3& normal : mesh.normals) mesh.tangents.push_back(around_axis(normal));
+    }
+}
+
+void generate_missing_tangents(Scene& scene) {
+    for (Mesh& mesh : scene.meshes) {
+        const Material& material = scene.materials[mesh.material.index];
+        if (!mesh.tangents.empty() || !tangents_texture(material)) continue;
+        lower_relief(mesh);  // the next one is of a mesh with tangents
+        fill_tangents(mesh, material);
+    }
 }
 
 }  // namespace facet::scene

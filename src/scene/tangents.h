@@ -5,6 +5,7 @@
 #include "scene/scene.h"
 
 #include <cstdint>
+#include <optional>
 
 namespace facet::scene {
 
@@ -18,5 +19,15 @@ namespace facet::scene {
 /// and the uv set are as long as positions. Source: Mikkelsen 2008, "Simulation of Wrinkled
 /// Surfaces Revisited", section 3.3 and its published algorithm.
 void generate_tangents(Mesh& mesh, std::uint32_t uv_set);
+
+/// The texture whose coordinates a material's tangents follow: its first normal map, else what
+/// turns its anisotropy; an empty one where it has neither, but is anisotropic. None: it needs no
+/// tangents.
+[[nodiscard]] std::optional<Texture> tangents_texture(const Material& material);
+/// Gives a mesh without tangents those that its material needs: by its coordinates, or, for
+/// anisotropy where it has none, around the y axis of the mesh.
+void fill_tangents(Mesh& mesh, const Material& material);
+/// The same for every mesh.
+void generate_missing_tangents(Scene& scene);
 
 }  // namespace facet::scene

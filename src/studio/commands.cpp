@@ -227,6 +227,7 @@ void Commands::drop_files(const Input& input) {
 
 void Commands::keep_work() {
     Editor& editor = tools_.editor;
+    if (editor.plays) return;  // every frame has a time of its own
     if (!editor.unsaved || kept_ == editor.document.settings || ImGui::IsAnyItemActive()) return;
     if (auto s = recovery_.keep(editor.document); !s)
         editor.say(Message::Kind::warning, base::to_line(s.error()));

@@ -3,6 +3,7 @@
 #include "base/file.h"
 #include "render/job.h"
 #include "render/plan.h"
+#include "scene/builtin_files.h"
 #include "scene/load.h"
 #include "scene/material_file.h"
 #include "scene/save.h"
@@ -100,7 +101,7 @@ base::Status Commands::save_scene(const fs::path& path) {
     for (const base::Warning& warning : saved->warnings)
         editor.say(Message::Kind::warning, base::to_line(warning));
     std::error_code error;
-    const auto source = scene::path_of(editor.document.scene);
+    const auto source = scene::file_of(editor.document.scene, scene::builtin_scenes);
     if (source && fs::equivalent(*source, path, error)) saved_over_ = settings;
     editor.unsaved = false;
     kept_.reset();

@@ -4,6 +4,8 @@
 
 #include "scene/camera_spec.h"
 
+#include <cmath>
+
 namespace facet::studio {
 namespace {
 
@@ -44,6 +46,11 @@ void Editor::look_from(const Orbit& from, float fov_rad) {
         settings.fov = fov_rad * 180.0F / math::pi;
     orbit = from;
     settings.camera = camera_text(from);
+}
+
+void Editor::play(float passed_s, float end_s) {
+    const float now_s = document.settings.time.value_or(0.0F) + passed_s;
+    document.settings.time = end_s > 0.0F ? std::fmod(now_s, end_s) : 0.0F;
 }
 
 void Editor::say(Message::Kind kind, std::string text) {

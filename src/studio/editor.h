@@ -46,6 +46,7 @@ struct Editor {
     std::optional<std::size_t> lesson_view;  ///< that was gone to last
     Look look;
     std::optional<Orbit> orbit;  ///< how the view was last turned, unrounded
+    bool plays = false;          ///< the animation goes on by itself
     std::vector<Message> messages;
     std::vector<std::pair<std::string, std::string>> copied_material;  ///< key and value
     Wanted wanted;
@@ -60,6 +61,8 @@ struct Editor {
     /// Turns the view; no step of undo. A camera of the file has an angle of its own, an orbit the
     /// default one: `fov_rad` is kept.
     void look_from(const Orbit& from, float fov_rad);
+    /// Moves the animation on by that, and round at its end; no step of undo.
+    void play(float passed_s, float end_s);
     void say(Message::Kind kind, std::string text);
     void complain(const base::Error& error) { say(Message::Kind::error, base::to_line(error)); }
 };

@@ -70,14 +70,27 @@ void map_keys() {
     for (const auto& [key, number] : pairs) io.KeyMap[key] = number;
 }
 
+void MouseQueue::advance(Input& input, math::Vec2 now_px) {
+    if (events_.empty()) {
+        input.mouse_px = now_px;
+        return;
+    }
+    const Event event = events_.front();
+    const bool has_moved = input.mouse_px != event.at_px;
+    input.mouse_px = event.at_px;
+    // What is dragged follows while the button is held: it moves there before it is let go.
+    if (!event.is_down && has_moved && input.buttons[event.button]) return;
+    input.buttons[event.button] = event.is_down;
+    events_.pop_front();
+}
+
 void feed_imgui(const Input& input, float delta_s) {
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = {static_cast<float>(input.window_px.width),
                       static_cast<float>(input.window_px.height)};
     io.DeltaTime = delta_s;
     io.MousePos = {input.mouse_px.x, input.mouse_px.y};
-    for (std::size_t i = 0; i < input.buttons.size(); ++i)
-        io.MouseDown[i] = input.buttons[i] || input.clicked[i];
+    for (std::size_t i = 0; i < input.buttons.size(); ++i) io.MouseDown[i] = input.buttons[i];
     io.MouseWheel = input.wheel;
     const auto down = [&](int key) {
         const auto i = static_cast<std::size_t>(key);

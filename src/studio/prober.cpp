@@ -10,12 +10,24 @@
 namespace facet::studio {
 namespace {
 
+/// Or the light whose shape has it.
+void select_material(const Stage& stage, std::size_t material, Editor& editor) {
+    const scene::Scene& scene = stage.scene();
+    if (material < stage.materials().size()) {
+        editor.material = material;
+        return;
+    }
+    for (const scene::Instance& instance : scene.instances)
+        if (instance.light && scene.meshes[instance.mesh.index].material.index == material)
+            editor.light = *instance.light;
+}
+
 void pick(Stage& stage, Editor& editor, math::Vec2 at_px) {
     const auto probed = stage.probe(at_px);
     if (!probed) return editor.complain(probed.error());
     for (const Probed& value : *probed)
         if (value.aov == tables::Aov::material_id && value.value.x > 0.0F)
-            editor.material = static_cast<std::size_t>(value.value.x) - 1;
+            select_material(stage, static_cast<std::size_t>(value.value.x) - 1, editor);
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 // The scene panel: what is in the scene, its lights, environment, camera and picture.
 // SPDX-License-Identifier: MIT
+#include "scene/light_shapes.h"
+#include "studio/animation_rows.h"
 #include "studio/light_rows.h"
 #include "studio/panels.h"
 #include "studio/settings_rows.h"
@@ -19,10 +21,11 @@ bool section(Ui& ui, std::string_view name) {
 /// The nodes that are drawn, with their material.
 void draw_tree(PanelTools& tools) {
     const scene::Scene& scene = tools.stage.scene();
+    const std::size_t count = scene::model_counts(scene).instances;
     ImGuiListClipper clipper;
-    const float rows = static_cast<float>(std::min<std::size_t>(scene.instances.size(), 8));
+    const float rows = static_cast<float>(std::min<std::size_t>(count, 8));
     ImGui::BeginChild("tree", {0.0F, rows * ImGui::GetTextLineHeightWithSpacing()});
-    clipper.Begin(static_cast<int>(scene.instances.size()));
+    clipper.Begin(static_cast<int>(count));
     while (clipper.Step())
         for (int row = clipper.DisplayStart; row < clipper.DisplayEnd; ++row) {
             const auto i = static_cast<std::size_t>(row);
@@ -59,7 +62,11 @@ void draw_cameras(PanelTools& tools) {
 
 void draw_scene_panel(PanelTools& tools) {
     if (tools.lesson && section(tools.ui, "lesson")) draw_lesson(tools);
-    if (section(tools.ui, "objects")) draw_tree(tools);
+    if (section(tools.ui, "objects")) {
+        draw_tree(tools);
+        draw_variants(tools);
+        draw_animation(tools);
+    }
     if (section(tools.ui, "lights")) {
         draw_lights(tools);
         draw_settings_group(tools, "Light");

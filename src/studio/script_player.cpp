@@ -59,7 +59,6 @@ void ScriptPlayer::click(Input& input) {
     input.mouse_px = widget_.center_px();
     // Hovered, pressed, let go, and a frame for what it leads to.
     input.buttons[0] = frame_ == 1;
-    input.clicked[0] = frame_ == 1;
     if (++frame_ == 4) done();
 }
 
@@ -79,7 +78,6 @@ base::Status ScriptPlayer::drag(const ScriptStep& step, Input& input) {
             : std::min(1.0F, static_cast<float>(frame_ - 1) / static_cast<float>(drag_frames));
     input.mouse_px = from_px_ + (to_px_ - from_px_) * share;
     input.buttons[0] = frame_ >= 1 && frame_ <= drag_frames + 1;
-    input.clicked[0] = frame_ == 1;
     if (++frame_ == drag_frames + 4) done();
     return {};
 }

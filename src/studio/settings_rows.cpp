@@ -20,9 +20,9 @@ using tables::Setting;
 using tables::Settings;
 
 /// Settings that other parts of the studio are for, or that a viewport has no use for.
-constexpr std::array hidden = {"light",      "set",        "material",   "camera", "aov",
-                               "reference",  "compare",    "time_limit", "region", "depth",
-                               "distortion", "aberration", "gamut"};
+constexpr std::array hidden = {
+    "light",  "set",   "material",   "camera",     "aov",   "reference", "compare",   "time_limit",
+    "region", "depth", "distortion", "aberration", "gamut", "time",      "animation", "variant"};
 
 template <class Rows>
 std::vector<std::string> keys(const Rows& rows) {

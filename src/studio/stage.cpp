@@ -5,6 +5,7 @@
 #include "render/session.h"
 #include "render/stopwatch.h"
 #include "render/viewable.h"
+#include "scene/light_shapes.h"
 #include "studio/ui_renderer.h"
 
 #include <algorithm>
@@ -44,8 +45,8 @@ void make_furnace(tables::Settings& settings) {
 }
 
 /// Mid gray plaster on every material but one.
-void make_gray(tables::Settings& settings, const scene::Scene& scene, std::size_t but) {
-    for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+void make_gray(tables::Settings& settings, std::size_t material_count, std::size_t but) {
+    for (std::size_t i = 0; i < material_count; ++i) {
         if (i == but) continue;
         for (const char* text : {"base_color", "metallic", "roughness", "emissive"})
             clear_path(settings, material_path(i, text));
@@ -56,6 +57,12 @@ void make_gray(tables::Settings& settings, const scene::Scene& scene, std::size_
         for (const tables::MaterialTexture& row : tables::material_textures)
             settings.set.push_back(material_path(i, std::string(row.key) + "=none"));
     }
+}
+
+/// The model's: not those of lights' shapes.
+std::vector<scene::Material> materials_of(const scene::Scene& scene) {
+    const auto count = static_cast<std::ptrdiff_t>(scene::model_counts(scene).materials);
+    return {scene.materials.begin(), scene.materials.begin() + count};
 }
 
 bool same_picture(const Scenery& a, const Scenery& b) {
@@ -94,15 +101,18 @@ base::Status Stage::open(const Document& document, bool steady) {
     settings.projection.clear();
     const auto plan = render::make_plan(settings);
     if (!plan) return tl::unexpected(plan.error());
-    auto job = render::load_job({document.scene, settings}, *plan, tools_.pool);
+    auto job = render::load_job(
+        {.scene = document.scene, .settings = settings, .cache_folder = tools_.cache_folder}, *plan,
+        tools_.pool);
     if (!job) return tl::unexpected(job.error());
     base::Warnings warnings = job->warnings;
     auto session =
         render::Session::create(tools_.gl, std::move(*job), settings, *plan, tools_.pool, warnings);
     if (!session) return tl::unexpected(session.error());
     session_ = std::make_unique<render::Session>(std::move(*session));
+    session_->hold_still();  // rays are asked once, for one picture of what moves
     session_settings_ = settings;
-    materials_ = scene().materials;
+    materials_ = materials_of(scene());
     lights_ = scene().lights;
     scene_name_ = document.scene;
     warnings_ = std::move(warnings);
@@ -129,7 +139,7 @@ tables::Settings Stage::settings_for(const Scenery& scenery, Extent size) const 
     settings.aov.clear();
     for (const tables::Aov aov : view.aovs) settings.aov.emplace_back(tables::row(aov).key);
     if (view.furnace && !scene().materials.empty()) make_furnace(settings);
-    if (scenery.look.solo && scenery.solo) make_gray(settings, scene(), *scenery.solo);
+    if (scenery.look.solo && scenery.solo) make_gray(settings, materials_.size(), *scenery.solo);
     return settings;
 }
 
@@ -157,14 +167,27 @@ base::Status Stage::apply(const tables::Settings& settings) {
     return {};
 }
 
+base::Status Stage::apply_variant(const tables::Settings& settings) {
+    if (settings.variant == session_settings_.variant) return {};
+    const auto plan = render::make_plan(settings);
+    if (!plan) return tl::unexpected(plan.error());
+    auto job = render::load_job({scene_name_, settings}, *plan, tools_.pool);
+    if (!job) return tl::unexpected(job.error());
+    warnings_ = job->warnings;
+    if (auto s = session_->enter(std::move(*job), settings, *plan, warnings_); !s) return s;
+    session_settings_ = settings;
+    return {};
+}
+
 base::Status Stage::apply_scenery(const Scenery& scenery, Extent size) {
     Scenery plain = scenery;
     plain.look.solo = false;
     if (view_by_key(plain.look.view).furnace) plain.look.view = "beauty";
     const tables::Settings settings = settings_for(scenery, size);
     const tables::Settings plain_settings = settings_for(plain, size);
+    if (auto s = apply_variant(plain_settings); !s) return s;
     if (auto s = apply(plain_settings); !s) return s;
-    materials_ = scene().materials;
+    materials_ = materials_of(scene());
     lights_ = scene().lights;
     return settings == plain_settings ? base::Status{} : apply(settings);
 }
@@ -270,6 +293,9 @@ base::Status Stage::show_original(const Scenery& scenery, UiRenderer& pictures) 
     original.settings = scenery.opened;
     original.settings.camera = scenery.settings.camera;
     original.settings.fov = scenery.settings.fov;
+    original.settings.variant = scenery.settings.variant;
+    original.settings.animation = scenery.settings.animation;
+    original.settings.time = scenery.settings.time;
     original.settings.samples = original_samples;
     const tables::Settings edited = session_settings_;
     const std::uint32_t drawn = drawn_;

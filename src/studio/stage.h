@@ -9,6 +9,7 @@
 #include "studio/document.h"
 #include "studio/look.h"
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -32,6 +33,7 @@ struct StageTools {
     const gl::Context& gl;
     base::ThreadPool& pool;
     base::Log& log;
+    std::filesystem::path cache_folder{};  ///< render::Request's
 };
 
 /// What the viewport shall show.
@@ -108,6 +110,9 @@ private:
     /// A sample of that size makes a person wait.
     [[nodiscard]] bool is_slow(const Scenery& scenery, math::Extent size) const;
     [[nodiscard]] base::Status apply(const tables::Settings& settings);
+    /// Loads the scene again where another variant of it is wanted; on an error the one before
+    /// stays.
+    [[nodiscard]] base::Status apply_variant(const tables::Settings& settings);
     /// What the view shows, and materials() and lights() of the document.
     [[nodiscard]] base::Status apply_scenery(const Scenery& scenery, math::Extent size);
     /// Asks for rays, and takes what they found.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "studio/studio.h"
 
+#include "base/cache_folder.h"
 #include "base/file.h"
 #include "base/resources.h"
 #include "base/text.h"
@@ -70,6 +71,7 @@ private:
     void draw_panels_and_dialogs();
     void do_wanted();
     void go_to(std::size_t lesson_view);
+    void play(float passed_s);
     base::Status act(const ScriptStep& step);
     base::Status step_stage();
     base::Status write_shot(const std::filesystem::path& path);
@@ -138,8 +140,8 @@ base::Status Studio::open() {
     if (!pictures) return tl::unexpected(pictures.error());
     pictures_ = std::move(*pictures);
     ui_.emplace(Ui{*texts_, *pictures_});
-    stage_.emplace(StageTools{screen_->gl(), pool_, log_});
-    thumbnails_.emplace(StageTools{screen_->gl(), pool_, log_});
+    stage_.emplace(StageTools{screen_->gl(), pool_, log_, base::cache_folder()});
+    thumbnails_.emplace(StageTools{screen_->gl(), pool_, log_, base::cache_folder()});
     commands_.emplace(CommandTools{editor_, *stage_, config_, *ui_, request_.offscreen},
                       request_.offscreen ? std::filesystem::path() : state_folder());
     truth_.emplace([this] {
@@ -189,7 +191,7 @@ base::Status Studio::step_stage() {
                           .solo = editor_.material,
                           .area_px = area_px_,
                           .budget_ms = std::clamp(wanted_frame_ms - ui_ms_, 12.0, 55.0),
-                          .moving = since.count() < moving_s && held,
+                          .moving = editor_.plays || (since.count() < moving_s && held),
                           .patient = request_.offscreen || Clock::now() - last_input_ > patience};
     // Where both do not fit into a frame, the picture takes every other one.
     skipped_ = scenery.moving && !skipped_ && ui_ms_ + stage_->last_ms() > slowest_frame_ms;
@@ -227,6 +229,12 @@ void Studio::go_to(std::size_t lesson_view) {
     editor_.lesson_view = lesson_view;
 }
 
+void Studio::play(float passed_s) {
+    const render::Job& job = stage_->job();
+    editor_.plays = editor_.plays && job.clip != nullptr;
+    if (editor_.plays) editor_.play(passed_s, job.clip->end_s);
+}
+
 void Studio::draw_panels_and_dialogs() {
     PanelTools tools{*ui_,        editor_,      *stage_,        screen_->gl(),
                      inspection_, *thumbnails_, request_.lesson};
@@ -249,6 +257,7 @@ base::Status Studio::draw_frame() {
     ImGui::NewFrame();
     ui_->widgets.clear();
     const tables::Settings before = editor_.document.settings;
+    play(request_.offscreen ? offscreen_frame_s : std::clamp(passed.count(), 0.0F, 0.5F));
     draw_panels_and_dialogs();
     ImGui::Render();
     if (!ImGui::IsAnyItemActive()) editor_.history.seal();
@@ -340,7 +349,7 @@ PlayProgress Studio::progress() const {
 
 double Studio::wait_s() const {
     if (player_.waits_for_truth() && stage_->is_finished()) return soon_s;
-    const bool busy = !stage_->is_finished() || !player_.is_done() || shot_ ||
+    const bool busy = editor_.plays || !stage_->is_finished() || !player_.is_done() || shot_ ||
                       request_.frames > 0 || calm_frames_ < 3 || !editor_.history.is_sealed();
     if (busy) return stage_->is_waiting() && player_.is_done() ? soon_s : 0.0;
     if (ImGui::GetIO().WantTextInput) return caret_s;

@@ -32,7 +32,9 @@ base::Status Thumbnails::open() {
     const tables::Settings settings = settings_of(names_.front());
     const auto plan = render::make_plan(settings);
     if (!plan) return tl::unexpected(plan.error());
-    auto job = render::load_job({"builtin:furnace", settings}, *plan, tools_.pool);
+    auto job = render::load_job(
+        {.scene = "builtin:furnace", .settings = settings, .cache_folder = tools_.cache_folder},
+        *plan, tools_.pool);
     if (!job) return tl::unexpected(job.error());
     // Of the scene's balls one is enough.
     job->scene.instances.resize(1);

@@ -47,6 +47,8 @@ struct Window::Impl {
     Glfw glfw;
     GLFWwindow* window = nullptr;
     Input* input = nullptr;  ///< while poll() runs
+    MouseQueue mouse;
+    math::Vec2 pointer{};  ///< as of the last event, in the window's units
 
     ~Impl() {
         if (window != nullptr) glfw.DestroyWindow(window);
@@ -54,7 +56,9 @@ struct Window::Impl {
     }
     static Impl& of(GLFWwindow* window);
     void listen();
-    void read_state(Input& out) const;
+    void read_state(Input& out);
+    /// A place of the mouse in pixels: it comes in other units where the desktop scales windows.
+    [[nodiscard]] math::Vec2 in_pixels(math::Vec2 place) const;
     [[nodiscard]] std::string error() const {
         const char* text = nullptr;
         glfw.GetError(&text);
@@ -73,11 +77,14 @@ Window::Impl& Window::Impl::of(GLFWwindow* window) {
 void Window::Impl::listen() {
     glfw.SetWindowUserPointer(window, this);
     glfw.SetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int) {
-        Input* in = of(w).input;
-        if (in == nullptr || button < 0 || button > 2) return;
-        const auto i = static_cast<std::size_t>(button);
-        in->buttons[i] = action == GLFW_PRESS;
-        in->clicked[i] = in->clicked[i] || action == GLFW_PRESS;
+        Impl& self = of(w);
+        if (self.input == nullptr || button < 0 || button > 2) return;
+        self.mouse.push(static_cast<std::size_t>(button), action == GLFW_PRESS,
+                        self.in_pixels(self.pointer));
+    });
+    // Asked for its place, GLFW tells where the mouse is by now, not where it was at an event.
+    glfw.SetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
+        of(w).pointer = {static_cast<float>(x), static_cast<float>(y)};
     });
     glfw.SetScrollCallback(window, [](GLFWwindow* w, double, double y) {
         if (Input* in = of(w).input) in->wheel += static_cast<float>(y);
@@ -104,31 +111,35 @@ void Window::Impl::listen() {
         if (Input* in = of(w).input) in->wants_close = true;
     });
     glfw.SetWindowFocusCallback(window, [](GLFWwindow* w, int focused) {
-        Input* in = of(w).input;
-        if (in == nullptr || focused != 0) return;
-        in->keys.reset();  // their release goes to somebody else
-        in->buttons = {};
+        Impl& self = of(w);
+        if (self.input == nullptr || focused != 0) return;
+        self.input->keys.reset();  // their release goes to somebody else
+        self.input->buttons = {};
+        self.mouse.clear();
     });
 }
 
-void Window::Impl::read_state(Input& out) const {
+math::Vec2 Window::Impl::in_pixels(math::Vec2 place) const {
+    int width_px = 0;
+    int width = 0;
+    glfw.GetFramebufferSize(window, &width_px, nullptr);
+    glfw.GetWindowSize(window, &width, nullptr);
+    return width > 0 ? place * (static_cast<float>(width_px) / static_cast<float>(width)) : place;
+}
+
+void Window::Impl::read_state(Input& out) {
     int width = 0;
     int height = 0;
-    int points_wide = 0;
-    int points_high = 0;
     float scale = 1.0F;
     double x = 0.0;
     double y = 0.0;
     glfw.GetFramebufferSize(window, &width, &height);
-    glfw.GetWindowSize(window, &points_wide, &points_high);
     glfw.GetWindowContentScale(window, &scale, nullptr);
     glfw.GetCursorPos(window, &x, &y);
     out.window_px = {static_cast<std::uint32_t>(std::max(0, width)),
                      static_cast<std::uint32_t>(std::max(0, height))};
     out.scale = std::isfinite(scale) && scale > 0.0F ? std::clamp(scale, 0.5F, 4.0F) : 1.0F;
-    // Where the desktop scales windows, places of the mouse come in its units.
-    const double ratio = points_wide > 0 ? static_cast<double>(width) / points_wide : 1.0;
-    out.mouse_px = {static_cast<float>(x * ratio), static_cast<float>(y * ratio)};
+    mouse.advance(out, in_pixels({static_cast<float>(x), static_cast<float>(y)}));
 }
 
 Window::Window(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -173,7 +184,7 @@ base::Result<Window> Window::open(math::Extent points, const std::string& title)
 void Window::poll(Input& input, double wait_s) {
     input.next_frame();
     impl_->input = &input;
-    if (wait_s > 0.0)
+    if (wait_s > 0.0 && impl_->mouse.is_empty())
         impl_->glfw.WaitEventsTimeout(wait_s);
     else
         impl_->glfw.PollEvents();

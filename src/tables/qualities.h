@@ -20,6 +20,7 @@ struct RayBudget {
     float mirrored_alpha = 0.0F;  ///< what smoother surfaces mirror gets a path at every frame,
     std::uint32_t intricate = 0;  ///< and all light this many where surfaces are finer than pixels;
     std::uint32_t most_at_sample = 1;  ///< up to so many where that leaves it too uncertain
+    std::uint32_t far = 4;             ///< at a sample, for light through a surface
     bool operator==(const RayBudget&) const = default;
     [[nodiscard]] constexpr bool any() const { return shadows || samples > 0; }
 };

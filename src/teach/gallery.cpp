@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "teach/gallery.h"
 
+#include "base/cache_folder.h"
 #include "base/text.h"
 #include "image/mips.h"
 #include "image/write.h"
@@ -58,8 +59,10 @@ base::Result<const Shot*> Gallery::shot(const Picture& picture) {
     const std::string command = command_of(picture);
     const std::string key = picture.show + "\n" + command;
     if (const auto known = shots_.find(key); known != shots_.end()) return &known->second;
-    const auto rendered =
-        render::render({.scene = picture.scene, .settings = settings_of(picture)}, *log_);
+    const auto rendered = render::render({.scene = picture.scene,
+                                          .settings = settings_of(picture),
+                                          .cache_folder = base::cache_folder()},
+                                         *log_);
     if (!rendered) return tl::unexpected(rendered.error());
     const auto image = shown(picture, *rendered);
     if (!image) return tl::unexpected(image.error());

@@ -5,7 +5,10 @@
 #include "brdf/albedo.h"
 #include "brdf/terms.h"
 #include "math/vector.h"
+#include "trace/far_side.h"
 #include "trace/surface.h"
+
+#include <optional>
 
 namespace facet::trace {
 
@@ -43,6 +46,8 @@ struct LobeFrame {
     math::Vec3 x{0.0F}, y{0.0F}, z{0.0F};
     LobeFrame() = default;
     explicit LobeFrame(const math::Vec3& axis);
+    /// `along`: unit, square to the axis.
+    LobeFrame(const math::Vec3& axis, const math::Vec3& along);
     [[nodiscard]] math::Vec3 local(const math::Vec3& world) const {
         return {math::dot(x, world), math::dot(y, world), math::dot(z, world)};
     }
@@ -53,14 +58,16 @@ struct LobeFrame {
 
 class Bsdf {
 public:
-    /// Which lobes sample() draws from. `coat`: there is no other, in values and weights too;
-    /// `white`: of a Lambert surface of albedo 1, whatever the surface's own.
-    enum class Draws : std::uint8_t { both, specular, coat, white };
+    /// Which lobes sample() draws from. `both`: those that reflect, and no others are in values;
+    /// `coat`, `far`: that one, and what is of the surface's far side, are alone in values and
+    /// weights too; `white`: of a Lambert surface of albedo 1, whatever the surface's own.
+    enum class Draws : std::uint8_t { all, both, specular, coat, far, white };
     /// `to_eye` is unit. `model` outlives this.
     Bsdf(const Model& model, const Surface& surface, const math::Vec3& to_eye,
-         Draws draws = Draws::both);
+         Draws draws = Draws::all);
 
-    /// For a unit direction to the light. Zero below the surface. A mirror's lobe is not in it.
+    /// For a unit direction to the light, on either side. A mirror's lobe, and that of a smooth
+    /// surface that light goes through, are not in it.
     [[nodiscard]] Scattered evaluate(const math::Vec3& to_light) const;
 
     /// Of the specular lobe alone, and of the environment alone; the density is the whole one.
@@ -76,6 +83,9 @@ public:
     /// Factors on irradiance / pi and on the mean over the specular lobe of what arrives.
     [[nodiscard]] Lobes::BrdfValue environment_weight() const;
 
+    /// Of light from everywhere on the far side; 0 without FarSide.
+    [[nodiscard]] math::Vec3 far_weight() const { return far_ ? far_->weight() : math::Vec3(0.0F); }
+
     /// Part of the diffuse weight, in luminance, that is of fibres.
     [[nodiscard]] float sheen_share() const;
 
@@ -83,6 +93,7 @@ public:
         math::Vec3 direction{0.0F};  ///< unit, to the light
         Scattered scattered;  ///< of a mirror: the share reflected over its probability, with pdf 1
         bool is_mirror = false;
+        bool is_straight = false;  ///< a mirror's share too, of light from right behind
         bool is_valid = false;
     };
     [[nodiscard]] Sample sample(math::Vec2 u, float lobe) const;
@@ -94,16 +105,32 @@ private:
         float v_dot_h = 0.0F;
         float coat_n_dot_l = 0.0F;
         float coat_n_dot_h = 0.0F;
+        math::Vec3 local_l{0.0F};  ///< in the frame of two widths, where the lobe has them
+        math::Vec3 local_h{0.0F};
     };
     /// False below the surface.
     [[nodiscard]] bool cosines(const math::Vec3& to_light, Cosines& out) const;
     /// Of all layers; a mirror's lobe is not in it.
     [[nodiscard]] Lobes::BrdfValue values(Lobes terms, const Cosines& at) const;
     [[nodiscard]] float pdf(const Cosines& at) const;
+    /// Of the base's lobes alone.
+    [[nodiscard]] float base_pdf(const Cosines& at) const;
+    [[nodiscard]] math::Vec3 sample_base(math::Vec2 u, float lobe) const;
+    [[nodiscard]] Sample sample_far(math::Vec2 u, float lobe) const;
+    [[nodiscard]] FarSide::Value of_far(const math::Vec3& to_light) const;
+    /// Whether FarSide tells of light from there.
+    [[nodiscard]] bool is_far(const math::Vec3& to_light) const {
+        return far_ && (far_->is_inside() || math::dot(face_normal_, to_light) <= 0.0F);
+    }
+    void set_far(const Surface& surface, Draws draws);
     void set_sheen(const Surface& surface);
     void set_coat(const Surface& surface, Draws draws);
     /// Weights of the environment, but the coat's own.
     [[nodiscard]] Lobes::BrdfValue weight_below() const;
+    /// Of the light, by coat and fibres, for the base.
+    [[nodiscard]] float left_by_layers() const {
+        return (is_coated_ ? 1.0F - coat_.albedo : 1.0F) * (has_sheen_ ? sheen_.left : 1.0F);
+    }
     /// No lobe of sample() has a width.
     [[nodiscard]] bool has_mirrors_alone() const {
         return (is_mirror_ || is_coat_alone_) && (!is_coated_ || is_coat_mirror_);
@@ -118,6 +145,12 @@ private:
     LobeFrame frame_;
     bool is_mirror_;
     bool is_white_;
+    bool is_anisotropic_ = false;
+    math::Vec2 alpha_xy_{1.0F};   ///< along frame_.x and frame_.y
+    math::Vec3 local_eye_{0.0F};  ///< in frame_
+    std::optional<FarSide> far_;
+    bool is_far_alone_ = false;
+    float far_share_ = 0.0F;  ///< of the samples
     bool has_sheen_ = false;
     Lobes::BrdfSheen sheen_{};
     bool is_coated_ = false;

@@ -18,7 +18,6 @@ using math::Vec4;
 
 /// Places are gathered in squares of this many, which see the same triangles.
 constexpr std::uint32_t tile_places = 16;
-constexpr std::uint32_t smooth_passes = 5;
 /// A surface where fewer of 8 neighbours are alike is finer than pixels.
 constexpr float few_helpers = 4.0F;
 /// Share of the mean light that may be uncertain in the dark.

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "trace/geometry.h"
 
+#include "scene/lobes.h"
 #include "trace/surface.h"
 
 #include <embree3/rtcore.h>
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -24,7 +26,7 @@ struct Context {
     const scene::Scene* scene = nullptr;
     const Textures* textures = nullptr;
     bool culls = false;
-    float transmittance = 1.0F;
+    Vec3 transmittance{1.0F};
 };
 
 const scene::Material& material_of(const Context& context, const RTCHit& hit) {
@@ -50,15 +52,31 @@ void filter_hit(const RTCFilterFunctionNArguments* arguments) {
         arguments->valid[0] = 0;
 }
 
-/// Lets light through holes and, in part, through what is blended.
+/// Whether light goes through it that is not bent.
+bool is_clear(const scene::Material& material) {
+    return material.alpha_mode != scene::AlphaMode::opaque ||
+           (scene::has_lobe(material, tables::Lobe::transmission) && !scene::has_volume(material));
+}
+
+/// Lets light through holes and, in part, through what is blended and thin glass.
 void filter_shadow(const RTCFilterFunctionNArguments* arguments) {
     auto& context = *reinterpret_cast<Context*>(arguments->context);
     const auto& hit = *reinterpret_cast<const RTCHit*>(arguments->hit);
+    const auto& ray = *reinterpret_cast<const RTCRay*>(arguments->ray);
     const scene::Material& material = material_of(context, hit);
-    if (material.alpha_mode == scene::AlphaMode::opaque) return;
-    context.transmittance *= 1.0F - coverage(context, hit);
+    if (!is_clear(material)) return;
+    const float covered = coverage(context, hit);
+    const Vec3 straight = straight_share(*context.scene, *context.textures,
+                                         {.instance = hit.geomID,
+                                          .triangle = hit.primID,
+                                          .normal = normal_of(hit),
+                                          .u = hit.u,
+                                          .v = hit.v},
+                                         {ray.dir_x, ray.dir_y, ray.dir_z});
+    context.transmittance *= Vec3(1.0F - covered) + straight * covered;
     constexpr float nothing = 1e-3F;
-    if (context.transmittance > nothing) arguments->valid[0] = 0;
+    const Vec3& left = context.transmittance;
+    if (std::max({left.x, left.y, left.z}) > nothing) arguments->valid[0] = 0;
 }
 
 /// Embree takes no other.
@@ -136,8 +154,7 @@ bool Geometry::Impl::add(const scene::Instance& instance, std::uint32_t index) c
         std::copy(mesh.indices.begin(), mesh.indices.end(), indices);
         if (material.alpha_mode != scene::AlphaMode::opaque || !material.double_sided)
             rtcSetGeometryIntersectFilterFunction(geometry, filter_hit);
-        if (material.alpha_mode != scene::AlphaMode::opaque)
-            rtcSetGeometryOccludedFilterFunction(geometry, filter_shadow);
+        if (is_clear(material)) rtcSetGeometryOccludedFilterFunction(geometry, filter_shadow);
         rtcCommitGeometry(geometry);
         rtcAttachGeometryByID(embree.get(), geometry, index);
     }
@@ -200,12 +217,12 @@ bool Geometry::intersect(const Ray& ray, Viewer viewer, Hit& hit) const {
     return true;
 }
 
-float Geometry::transmittance(const Ray& ray) const {
-    if (!is_finite(ray)) return 0.0F;
+Vec3 Geometry::transmittance(const Ray& ray) const {
+    if (!is_finite(ray)) return Vec3(0.0F);
     Context context = impl_->context(RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT);
     RTCRay query = embree_ray(ray);
     rtcOccluded1(impl_->embree.get(), &context.embree, &query);
-    return query.tfar < 0.0F ? 0.0F : context.transmittance;
+    return query.tfar < 0.0F ? Vec3(0.0F) : context.transmittance;
 }
 
 }  // namespace facet::trace

@@ -51,9 +51,9 @@ public:
     /// The nearest triangle whose alpha mask is not a hole there. False where there is none.
     /// Blended surfaces count.
     [[nodiscard]] bool intersect(const Ray& ray, Viewer viewer, Hit& hit) const;
-    /// Share of light that gets through, [0, 1]: 0 behind anything opaque, less by each blended
-    /// surface's opacity.
-    [[nodiscard]] float transmittance(const Ray& ray) const;
+    /// Share of light that gets through, [0, 1] by channel: 0 behind anything opaque and what bends
+    /// light, less by each blended surface's opacity, and by thin smooth glass.
+    [[nodiscard]] math::Vec3 transmittance(const Ray& ray) const;
 
 private:
     struct Impl;

@@ -15,7 +15,6 @@ namespace {
 using math::Vec3;
 using math::Vec4;
 
-constexpr std::uint32_t smooth_passes = 5;
 /// A path that finds a light by chance brings more than all it stands for: no share is above this.
 constexpr float most_share = 8.0F;
 

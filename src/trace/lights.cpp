@@ -19,6 +19,7 @@ using tables::LightKind;
 using Terms = brdf::LightTerms<float>;
 
 constexpr std::size_t no_emitter = ~std::size_t{0};
+constexpr std::uint32_t no_light = ~0U;
 
 bool is_sized(const Light& light) {
     return tables::light_kinds[static_cast<std::size_t>(light.kind)].area;
@@ -37,9 +38,15 @@ Vec3 area_normal(const scene::Scene& scene, std::uint32_t instance, std::uint32_
 Lights::Lights(const scene::Scene& scene, const Textures& textures, const Light* sun)
     : scene_(&scene), textures_(&textures) {
     // The mesh that a light stands in for is drawn from itself.
-    for (const Light& light : scene.lights)
-        if (!light.stands_in) lights_.push_back(light);
-    if (sun != nullptr) lights_.push_back(*sun);
+    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+        if (scene.lights[i].stands_in) continue;
+        lights_.push_back(scene.lights[i]);
+        places_.push_back(i);
+    }
+    if (sun != nullptr) {
+        lights_.push_back(*sun);
+        places_.push_back(scene.lights.size());
+    }
     for (const Light& light : lights_) {
         axes_.push_back(scene::axes_of(light));
         if (is_sized(light)) ++sized_count_;
@@ -175,16 +182,20 @@ LightSample Lights::sample_mesh(const Vec3& position_m, Vec2 u, float pick) cons
     return out;
 }
 
-Vec3 Lights::met(const Ray& ray, float pdf, float total_weight) const {
+Vec3 Lights::met(const Ray& ray, float pdf, float total_weight, const Hit* at_end) const {
     Vec3 sum(0.0F);
     if (sized_count_ == 0) return sum;
+    std::size_t shape_of = no_light;
+    if (at_end != nullptr) shape_of = scene_->instances[at_end->instance].light.value_or(no_light);
     for (std::size_t i = 0; i < lights_.size(); ++i) {
         const Light& light = lights_[i];
         if (!is_sized(light)) continue;
         float own = 0.0F;
         const Vec3 to_center = light.position_m - ray.origin;
         const float distance = hit_shape(light, axes_[i], to_center, ray.direction, own);
-        const float far_m = light.casts_shadow ? ray.far_m : Ray{}.far_m;
+        // A light's triangles lie on its surface or a little within.
+        const bool is_at_end = places_[i] == shape_of;
+        const float far_m = light.casts_shadow && !is_at_end ? ray.far_m : Ray{}.far_m;
         if (distance <= ray.near_m || distance > far_m) continue;
         const float chosen = chance(weight(light, ray.origin), total_weight);
         sum += light.color * (light.intensity * power_share(pdf, own * chosen) *

@@ -9,6 +9,7 @@
 #include "trace/surface.h"
 #include "trace/textures.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace facet::trace {
@@ -30,8 +31,6 @@ public:
 
     /// Whether a light has a size: a listed one, or the meshes that emit.
     [[nodiscard]] bool has_size(std::size_t light) const;
-    /// Lights with a size.
-    [[nodiscard]] std::size_t sized_count() const { return sized_count_; }
 
     /// A light to draw from; the last of count() is the meshes that emit.
     struct Choice {
@@ -42,6 +41,9 @@ public:
     /// In place of Choice::total_weight where every light is drawn from, each with probability 1.
     static constexpr float every_light = -1.0F;
     enum class Among : std::uint8_t { all, sized };
+    [[nodiscard]] std::size_t count(Among among) const {
+        return among == Among::sized ? sized_count_ : count();
+    }
     /// One light, by what it can do at `position_m` at most.
     [[nodiscard]] Choice choose(const math::Vec3& position_m, float u,
                                 Among among = Among::all) const;
@@ -54,10 +56,13 @@ public:
                                         const math::Vec3& normal) const;
 
     /// Radiance of the lights with a size that a ray meets between `near_m` and `far_m`: all of
-    /// them, as none hides another, and those beyond it that cast no shadow. Each is weighted
-    /// against sample(), which would have drawn that direction too, by the power heuristic; `pdf`
-    /// is the ray's own density, `total_weight` that of choose() at its origin.
-    [[nodiscard]] math::Vec3 met(const Ray& ray, float pdf, float total_weight) const;
+    /// them, as only shapes that end the ray hide others, and those beyond it that cast no shadow.
+    /// Each is weighted against sample(), which would have drawn that direction too, by the power
+    /// heuristic; `pdf` is the ray's own density, `total_weight` that of choose() at its origin.
+    /// `at_end`: what the ray ends at, or null; where it is a light's own shape, that light is met
+    /// for sure.
+    [[nodiscard]] math::Vec3 met(const Ray& ray, float pdf, float total_weight,
+                                 const Hit* at_end = nullptr) const;
     /// Density with which sample() would have drawn the place of a mesh that emits, met by a ray at
     /// `hit`, where it emits.
     [[nodiscard]] float mesh_pdf(const Hit& hit, const Ray& ray, float total_weight) const;
@@ -84,6 +89,7 @@ private:
     const Textures* textures_;
     std::vector<scene::Light> lights_;    ///< the scene's, without those that stand in for a mesh
     std::vector<scene::LightAxes> axes_;  ///< by light
+    std::vector<std::size_t> places_;     ///< in the scene, by light
     std::size_t sized_count_ = 0;
     std::vector<Emitter> emitters_;
     std::vector<std::size_t>

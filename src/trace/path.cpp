@@ -2,14 +2,15 @@
 // SPDX-License-Identifier: MIT
 #include "trace/path.h"
 
-#include "brdf/light_terms.h"
 #include "math/color.h"
+#include "trace/backdrop.h"
+#include "trace/books.h"
 #include "trace/ground.h"
+#include "trace/medium.h"
 #include "trace/open_light.h"
 
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
 
 namespace facet::trace {
 namespace {
@@ -30,16 +31,10 @@ constexpr float lobe_cone = 0.15F;
 /// as in Weier et al. 2021).
 constexpr float widening = 0.1F;
 
-/// What a path writes down beside its sum. Light belongs to the lobe of the first surface that
-/// sends it to the viewer, by that lobe's share of the BRDF in the direction it came from.
-enum class Books : std::uint8_t { none, by_path, gathered };
-/// Where light comes from.
-enum class From : std::uint8_t { sky, light, surface };
-
 template <Books books>
 class Path {
 public:
-    using Book = std::conditional_t<books == Books::gathered, Gathered, LightPaths>;
+    using Book = typename Ledger<books>::Book;
     Path(const World& world, const Ray& ray, Cone cone, Sequence& sequence, Book* book)
         : world_(world), sequence_(sequence), ray_(ray), cone_(cone), book_(book) {}
 
@@ -52,12 +47,15 @@ public:
     /// Begins at a surface that is seen already.
     std::uint32_t gather(const Surface& surface, const Vec3& to_eye, float cone_m,
                          Bsdf::Draws draws) {
-        const Bsdf bsdf(world_.model, surface, to_eye, draws);
-        const Vec3& origin = surface.outside_m;
-        add_sampled_environment(bsdf, origin);
-        // Lights without a size are the rasteriser's.
-        add_sampled_lights(bsdf, origin, Lights::Among::sized, world_.lights.sized_count());
-        if (scatter(bsdf, origin, cone_m))
+        Surface first = surface;
+        ray_.direction = -to_eye;
+        widens_ = draws != Bsdf::Draws::far;  // what is seen through glass is a picture
+        if (!widens_) keep(medium_.choose_channel(first, sequence_));
+        const Bsdf bsdf(world_.model, first, to_eye, draws);
+        add_sampled_environment(bsdf, first);
+        // Lights without a size are the rasteriser's, but from the far side.
+        add_sampled_lights(bsdf, first, widens_ ? Lights::Among::sized : Lights::Among::all);
+        if (scatter(bsdf, first, cone_m))
             while (step()) {
             }
         return out_.rays;
@@ -66,12 +64,11 @@ public:
     /// What the scene adds to the light that white ground sends on, and what it takes, in nit.
     Vec3 change_on(const Surface& ground, float cone_m) {
         const Bsdf bsdf(world_.model, ground, ground.normal, Bsdf::Draws::white);
-        const Vec3& origin = ground.outside_m;
         known_ = 1.0F;
-        add_sampled_environment(bsdf, origin);
-        add_sampled_lights(bsdf, origin, Lights::Among::all, world_.lights.count());
+        add_sampled_environment(bsdf, ground);
+        add_sampled_lights(bsdf, ground, Lights::Among::all);
         known_ = 0.0F;
-        if (scatter(bsdf, origin, cone_m)) {
+        if (scatter(bsdf, ground, cone_m)) {
             const EnvironmentLight::Light sky = world_.environment.at(ray_.direction);
             out_.radiance_nit -= throughput_ * sky.radiance_nit * power_share(pdf_, sky.pdf) +
                                  of_light_ * world_.lights.met(ray_, pdf_, light_weight_);
@@ -108,13 +105,19 @@ private:
             // A mirror's density has no bound: what the light draws itself counts nothing beside
             // it.
             constexpr float unbounded = 1e20F;
-            add_scattered(
-                of_light_ * world_.lights.met(to_hit, mirrored_ ? unbounded : pdf_, light_weight_),
-                From::light);
+            add_scattered(of_light_ * world_.lights.met(to_hit, mirrored_ ? unbounded : pdf_,
+                                                        light_weight_, found ? &hit : nullptr),
+                          From::light);
         }
         if (!found) {
             add_environment();
             return false;
+        }
+        if (medium_.scatters()) {
+            if (travel(hit.distance_m)) return true;
+            if (throughput_ == Vec3(0.0F)) return false;
+        } else {
+            keep(medium_.left_after(hit.distance_m));
         }
         const float cone_m = cone_.width_at(hit.distance_m);
         Surface surface =
@@ -128,54 +131,53 @@ private:
         if (from_camera()) out_.coverage = 1.0F;
         add_emission(hit, surface);
         if (surface.unlit || bounce_ >= world_.bounce_limit) return false;
+        keep(medium_.choose_channel(surface, sequence_));
         const Bsdf bsdf(world_.model, surface, -ray_.direction);
-        const Vec3& origin = surface.outside_m;
-        add_sampled_environment(bsdf, origin);
-        add_sampled_lights(bsdf, origin, Lights::Among::all, world_.lights.count());
-        return scatter(bsdf, origin, cone_m);
+        add_sampled_environment(bsdf, surface);
+        add_sampled_lights(bsdf, surface, Lights::Among::all);
+        return scatter(bsdf, surface, cone_m);
     }
 
-    void add(const Vec3& nit, [[maybe_unused]] Vec3 LightPaths::*way) {
-        out_.radiance_nit += nit;
-        if constexpr (books == Books::by_path) book_->*way += nit;
+    /// Through what scatters light. True where it is turned before that distance.
+    bool travel(float distance_m) {
+        const Medium::Event event =
+            medium_.travel(ray_.direction, distance_m, throughput_, sequence_);
+        keep(event.factor);
+        if (event.direction == Vec3(0.0F)) return false;
+        ray_ = {ray_.origin + ray_.direction * event.distance_m, event.direction};
+        return true;
     }
-    /// Light that reaches the first surface `at_once`, or by way of others.
-    void write(const Vec3& nit, const Bsdf::DiffuseShares& shares, From from, bool at_once) {
-        const Vec3& share =
-            at_once && from == From::light ? shares.of_light : shares.of_environment;
-        if constexpr (books == Books::by_path) {
-            if (at_once && from == From::light)
-                book_->add_direct(nit, share);
-            else
-                book_->add_indirect(nit, share);
-        } else {
-            const bool is_sky = at_once && from == From::sky;
-            (is_sky ? book_->diffuse_sky : book_->diffuse_rest) += nit * share;
-            (is_sky ? book_->specular_sky : book_->specular_rest) += nit - nit * share;
-        }
+    void keep(const Vec3& share) {
+        throughput_ *= share;
+        of_light_ *= share;
+    }
+    /// Where rays to that side of a surface begin.
+    static const Vec3& side(const Surface& surface, const Vec3& direction) {
+        return math::dot(surface.face_normal, direction) > 0.0F ? surface.outside_m
+                                                                : surface.beyond_m;
+    }
+
+    void add(const Vec3& nit, Vec3 LightPaths::*way) {
+        out_.radiance_nit += nit;
+        book_.add(nit, way);
     }
     /// Light of a ray that surfaces have scattered already.
-    void add_scattered(const Vec3& nit, [[maybe_unused]] From from) {
+    void add_scattered(const Vec3& nit, From from) {
         out_.radiance_nit += nit;
-        if constexpr (books != Books::none) write(nit, first_, from, bounce_ == 1);
+        book_.write(nit, first_, from, bounce_ == 1);
     }
     /// Light that was drawn, and that the surface at hand sends on.
     void add_drawn(const Vec3& nit, [[maybe_unused]] const Bsdf& bsdf,
                    [[maybe_unused]] const Vec3& direction, [[maybe_unused]] From from) {
         out_.radiance_nit += nit;
         if constexpr (books != Books::none)
-            write(nit, from_camera() ? bsdf.diffuse_shares(direction) : first_, from,
-                  from_camera());
-    }
-    /// What would come of the sky if nothing were in its way.
-    void add_open(const Vec3& nit, const Bsdf::DiffuseShares& shares) {
-        book_->diffuse_open += nit * shares.of_environment;
-        book_->specular_open += nit - nit * shares.of_environment;
+            book_.write(nit, from_camera() ? bsdf.diffuse_shares(direction) : first_, from,
+                        from_camera());
     }
     void add_open_sky() {
         const EnvironmentLight::Light light = world_.environment.at(ray_.direction);
         const float share = mirrored_ ? 1.0F : power_share(pdf_, light.pdf);
-        add_open(throughput_ * light.radiance_nit * share, first_);
+        book_.add_open(throughput_ * light.radiance_nit * share, first_);
     }
 
     /// Goes on behind a blended surface that let the ray through.
@@ -193,19 +195,17 @@ private:
                                         sequence_, out_.rays);
         out_.coverage = 1.0F;
         if (world_.shows_environment)
-            add(throughput_ * share * behind_scene().radiance_nit, &LightPaths::background);
+            add(throughput_ * share * backdrop(world_, ray_.direction, sequence_).radiance_nit,
+                &LightPaths::background);
         else
             out_.coverage = 1.0F - math::luminance(share);
     }
 
-    EnvironmentLight::Light behind_scene() {
-        return world_.environment.at(world_.blur > 0.0F ? blurred(ray_.direction) : ray_.direction);
-    }
-
     void add_environment() {
         if (from_camera() && !world_.shows_environment) return;
-        const EnvironmentLight::Light light =
-            from_camera() ? behind_scene() : world_.environment.at(ray_.direction);
+        const EnvironmentLight::Light light = from_camera()
+                                                  ? backdrop(world_, ray_.direction, sequence_)
+                                                  : world_.environment.at(ray_.direction);
         if (from_camera()) out_.coverage = 1.0F;
         const float share = from_camera() || mirrored_ ? 1.0F : power_share(pdf_, light.pdf);
         const Vec3 nit = throughput_ * light.radiance_nit * share;
@@ -215,29 +215,14 @@ private:
             add_scattered(nit, From::sky);
     }
 
-    /// A direction of the lobe that the prefiltered environment has along `axis`: light that a
-    /// facet reflects to a viewer on the axis, weighted with its cosine (Karis 2013, "Real Shading
-    /// in Unreal Engine 4", p. 4).
-    Vec3 blurred(const Vec3& axis) {
-        const Vec3 x = brdf::LightTerms<float>{}.across(axis);
-        const Vec3 y = math::cross(axis, x);
-        constexpr int most_tries = 16;  // a lobe of roughness 1 keeps one draw in two
-        for (int i = 0; i < most_tries; ++i) {
-            const Vec3 h = Lobes{}.sample_ggx({0.0F, 0.0F, 1.0F}, world_.blur * world_.blur,
-                                              sequence_.next_pair());
-            const Vec3 l(2.0F * h.z * h.x, 2.0F * h.z * h.y, 2.0F * h.z * h.z - 1.0F);
-            if (sequence_.next() < l.z) return x * l.x + y * l.y + axis * l.z;
-        }
-        return axis;
-    }
-
     void add_emission(const Hit& hit, const Surface& surface) {
         if (surface.unlit) add_seen(throughput_ * surface.base_color, From::surface);
         if (surface.emissive_nit == Vec3(0.0F)) return;
         // A surface that is single-sided shines to its front alone.
-        const scene::Scene& scene = world_.scene;
-        if (!surface.front && !scene.material_of(scene.instances[hit.instance]).double_sided)
-            return;
+        const scene::Instance& instance = world_.scene.instances[hit.instance];
+        if (!surface.front && !world_.scene.material_of(instance).double_sided) return;
+        // What a light's own shape shows is counted where the light was met.
+        if (instance.light && !from_camera()) return;
         // Lights that are drawn are taken without their coat, so others' share of them is too.
         const float share =
             from_camera() || mirrored_
@@ -252,7 +237,7 @@ private:
             add_scattered(nit, from);
     }
 
-    void add_sampled_environment(const Bsdf& bsdf, const Vec3& origin) {
+    void add_sampled_environment(const Bsdf& bsdf, const Surface& surface) {
         if (world_.environment.is_black()) return;
         const EnvironmentLight::Sample sample = world_.environment.sample(sequence_.next_pair());
         if (!(sample.light.pdf > 0.0F)) return;
@@ -263,55 +248,57 @@ private:
         const Vec3 open =
             throughput_ * f.of_environment * sample.light.radiance_nit * (share / sample.light.pdf);
         if constexpr (books == Books::gathered)
-            if (from_camera()) add_open(open, bsdf.diffuse_shares(sample.direction));
-        const float through = world_.geometry.transmittance({origin, sample.direction});
-        if (through == known_) return;
+            if (from_camera()) book_.add_open(open, bsdf.diffuse_shares(sample.direction));
+        const Vec3 through =
+            world_.geometry.transmittance({side(surface, sample.direction), sample.direction});
+        if (through == Vec3(known_)) return;
         add_drawn(open * (through - known_), bsdf, sample.direction, From::sky);
     }
 
-    /// `count`: of those `among` which are drawn.
-    void add_sampled_lights(const Bsdf& bsdf, const Vec3& origin, Lights::Among among,
-                            std::size_t count) {
+    void add_sampled_lights(const Bsdf& bsdf, const Surface& surface, Lights::Among among) {
+        const std::size_t count = world_.lights.count(among);
         if (count == 0) return;
         if (from_camera() && count <= most_drawn_each) {
             light_weight_ = Lights::every_light;
             for (std::size_t i = 0; i < world_.lights.count(); ++i)
                 if (among == Lights::Among::all || world_.lights.has_size(i))
-                    add_light(bsdf, origin, {i, 1.0F, 0.0F}, sequence_.next());
+                    add_light(bsdf, surface, {i, 1.0F, 0.0F}, sequence_.next());
             return;
         }
         const math::Vec2 chance = sequence_.next_pair();
-        const Lights::Choice choice = world_.lights.choose(origin, chance.x, among);
+        const Lights::Choice choice = world_.lights.choose(surface.outside_m, chance.x, among);
         light_weight_ = choice.total_weight;
-        if (choice.probability > 0.0F) add_light(bsdf, origin, choice, chance.y);
+        if (choice.probability > 0.0F) add_light(bsdf, surface, choice, chance.y);
     }
 
     /// `pick`: which place of a light made of many, [0, 1).
-    void add_light(const Bsdf& bsdf, const Vec3& origin, const Lights::Choice& choice, float pick) {
+    void add_light(const Bsdf& bsdf, const Surface& surface, const Lights::Choice& choice,
+                   float pick) {
         const LightSample sample =
-            world_.lights.sample(choice, origin, sequence_.next_pair(), pick);
+            world_.lights.sample(choice, surface.outside_m, sequence_.next_pair(), pick);
         if (sample.light == Vec3(0.0F) || (sample.has_size && !(sample.pdf > 0.0F))) return;
         const Scattered f = bsdf.evaluate(sample.direction);
         if (f.of_light == Vec3(0.0F)) return;
-        float through = 1.0F;
+        Vec3 through(1.0F);
         if (sample.casts_shadow) {
             ++out_.rays;
             constexpr float almost = 1.0F - 1e-4F;  // the light's own mesh is no shadow
-            through = world_.geometry.transmittance(
-                {origin, sample.direction, 0.0F, sample.distance_m * almost});
+            through =
+                world_.geometry.transmittance({side(surface, sample.direction), sample.direction,
+                                               0.0F, sample.distance_m * almost});
         }
-        if (through == known_) return;
-        float factor = (through - known_) / choice.probability;
+        if (through == Vec3(known_)) return;
+        Vec3 factor = (through - known_) / choice.probability;
         if (sample.has_size) {
             const float own = sample.pdf * choice.probability;
-            factor = (through - known_) * power_share(own, f.pdf) / own;
+            factor = (through - known_) * (power_share(own, f.pdf) / own);
         }
         add_drawn(throughput_ * f.of_light * sample.light * factor, bsdf, sample.direction,
                   From::light);
     }
 
     /// Draws where the light may come from, and turns the ray there. False where the path ends.
-    bool scatter(const Bsdf& bsdf, const Vec3& origin, float cone_m) {
+    bool scatter(const Bsdf& bsdf, const Surface& surface, float cone_m) {
         const math::Vec2 u = sequence_.next_pair();
         const math::Vec2 chance = sequence_.next_pair();
         const Bsdf::Sample sample = bsdf.sample(u, chance.x);
@@ -320,10 +307,18 @@ private:
             if (from_camera())
                 first_ = sample.is_mirror ? Bsdf::DiffuseShares{}
                                           : bsdf.diffuse_shares(sample.direction);
-        pdf_ = sample.scattered.pdf;
-        mirrored_ = sample.is_mirror;
-        of_light_ = throughput_ * sample.scattered.of_light / pdf_;
-        throughput_ *= sample.scattered.of_environment / pdf_;
+        if (sample.is_straight && !from_camera()) {
+            // The direction is the one that was drawn before the glass; so is its density.
+            of_light_ *= sample.scattered.of_light;
+            light_weight_ = light_weight_before_;
+        } else {
+            pdf_ = sample.scattered.pdf;
+            mirrored_ = sample.is_mirror;
+            of_light_ = throughput_ * sample.scattered.of_light / pdf_;
+        }
+        throughput_ *= sample.scattered.of_environment / sample.scattered.pdf;
+        light_weight_before_ = light_weight_;
+        if (math::dot(surface.face_normal, sample.direction) < 0.0F) medium_.cross(surface);
         ++bounce_;
         if (bounce_ >= first_roulette) {
             const float survival =
@@ -332,12 +327,13 @@ private:
             throughput_ /= survival;
             of_light_ /= survival;
         }
-        ray_ = {origin, sample.direction};
+        ray_ = {side(surface, sample.direction),
+                sample.is_straight ? ray_.direction : sample.direction};
         cone_.width_m = cone_m;
         if (!mirrored_) {
             const float width = 1.0F / std::sqrt(pdf_);
             cone_.spread = std::max(cone_.spread, lobe_cone * width);
-            least_alpha_ = std::max(least_alpha_, std::min(1.0F, widening * width));
+            if (widens_) least_alpha_ = std::max(least_alpha_, std::min(1.0F, widening * width));
         }
         return true;
     }
@@ -351,13 +347,16 @@ private:
     Vec3 of_light_{1.0F};  ///< for lights, which the lecture masks otherwise
     float pdf_ = 0.0F;     ///< of the ray's direction, 1/sr
     float light_weight_ = 0.0F;
+    float light_weight_before_ = 0.0F;  ///< at the surface that chose the ray's direction
+    Medium medium_;
     float known_ = 0.0F;  ///< share of what is drawn that is counted already
     bool mirrored_ = false;
-    float least_alpha_ = 0.0F;  ///< of the next surface
+    float least_alpha_ = 0.0F;  ///< of the next surface, where
+    bool widens_ = true;
     std::uint32_t bounce_ = 0;
     std::uint32_t passed_ = 0;
     PathLight out_;
-    Book* book_;
+    Ledger<books> book_;
     Bsdf::DiffuseShares first_;  ///< at the first surface, in the direction that the path took
 };
 

@@ -1,7 +1,8 @@
 // Light at single samples of a frame.
 // SPDX-License-Identifier: MIT
 #include "math/color.h"
-#include "scene/layers.h"
+#include "scene/lobes.h"
+#include "trace/far_light.h"
 #include "trace/gather.h"
 #include "trace/lobe_weight.h"
 
@@ -32,7 +33,9 @@ float most_mirrored(const IndirectPixels& middles, std::uint32_t x, std::uint32_
 SampleLight sample_light(const World& world, const Seen& seen, const IndirectPixels& middles,
                          const GatherSettings& settings, std::uint32_t frame,
                          base::ThreadPool& pool) {
-    SampleLight out{std::vector<Vec4>(seen.pixels.size()), std::vector<Vec4>(seen.pixels.size())};
+    SampleLight out{std::vector<Vec4>(seen.pixels.size()), std::vector<Vec4>(seen.pixels.size()),
+                    far_light(world, seen, settings, frame, pool)};
+    if (settings.mirrored_alpha <= 0.0F && settings.intricate == 0) return out;
     for_each_surface(
         seen, pool, [&](std::uint32_t x, std::uint32_t y, std::size_t at, const SeenPixel& pixel) {
             const std::uint32_t place_x = x / middles.stride;
@@ -41,8 +44,8 @@ SampleLight sample_light(const World& world, const Seen& seen, const IndirectPix
             const bool is_intricate = settings.intricate > 0 && middles.intricate[place] != 0;
             const bool may_be_smooth =
                 pixel.roughness * pixel.roughness < settings.mirrored_alpha ||
-                scene::has_clearcoat(
-                    world.scene.material_of(world.scene.instances[pixel.instance]));
+                scene::has_lobe(world.scene.material_of(world.scene.instances[pixel.instance]),
+                                tables::Lobe::clearcoat);
             if (!may_be_smooth && !is_intricate) return;
             const Ray ray = seen.ray(x, y);
             const Surface surface =

@@ -66,6 +66,7 @@ struct GatherSettings {
     std::uint32_t intricate = 0;  ///< all light by this many where few places around are alike;
     std::uint32_t most_at_sample = 1;  ///< by up to so many where the mean over
     std::uint32_t frames = 1;          ///< these frames would be less certain than `error`
+    std::uint32_t far = 1;             ///< paths a sample from a surface's far side
     const std::atomic<bool>* cancelled = nullptr;  ///< once true, what is returned is of no use
     /// Roughly the radiance that a surface of that roughness mirrors from a direction: specular
     /// light is smoothed in its units, so that what the environment makes of a curved surface
@@ -100,6 +101,9 @@ struct GroundPixels {
 struct SampleLight {
     std::vector<math::Vec4> diffuse;   ///< rgb: irradiance / pi, nit; all of it
     std::vector<math::Vec4> specular;  ///< rgb: nit
+    /// Light from the surface's far side, as it leaves to the viewer, with nothing left out: rgb in
+    /// nit. Empty where no material is translucent.
+    std::vector<math::Vec4> far;
 };
 
 /// A unit vector as 24 bits of an octahedral map; exact in float.

@@ -50,6 +50,9 @@ struct Helpers {
 void even_variances(math::Extent size, const std::vector<GatherPoint>& points,
                     std::vector<GatheredMeans>& means, std::uint32_t apart, base::ThreadPool& pool);
 
+/// As many as reach over what few paths leave uneven: 62 places.
+inline constexpr std::uint32_t smooth_passes = 5;
+
 /// Passes of an edge-avoiding a-trous filter whose taps are 1, 2, 4, ... places apart (Dammertz et
 /// al. 2010), steered by position, normal and the samples' own variance (Schied et al. 2017,
 /// "Spatiotemporal Variance-Guided Filtering", Section 4.4). `points` and `means` are [height,

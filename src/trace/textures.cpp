@@ -4,6 +4,7 @@
 
 #include "image/mips.h"
 #include "math/color.h"
+#include "scene/wrap.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,83 +32,62 @@ const Decode& decode_of(bool srgb) {
     return srgb ? encoded : plain;
 }
 
-/// Texel `i` of `count` as GL wraps it (OpenGL 4.5, 8.14.2).
-int wrapped(int i, int count, scene::Wrap wrap) {
-    if (i >= 0 && i < count) return i;
-    switch (wrap) {
-        case scene::Wrap::clamp:
-            return std::clamp(i, 0, count - 1);
-        case scene::Wrap::mirror: {
-            const int period = 2 * count;
-            const int at = ((i % period) + period) % period;
-            return at < count ? at : period - 1 - at;
-        }
-        case scene::Wrap::repeat:
-            break;
-    }
-    return ((i % count) + count) % count;
-}
-
 Vec4 texel(const std::uint8_t* pixels, const Decode& decode) {
     return {decode[pixels[0]], decode[pixels[1]], decode[pixels[2]],
             static_cast<float>(pixels[3]) * (1.0F / 255.0F)};
 }
-
-/// Keeps coordinates that a file made absurd within what int can count.
-float tame(float x) { return std::isfinite(x) ? std::clamp(x, -1e6F, 1e6F) : 0.0F; }
 
 }  // namespace
 
 Textures Textures::build(const scene::Scene& scene, base::ThreadPool& pool) {
     Textures out;
     out.images_.resize(scene.images.size());
-    std::vector<std::pair<std::size_t, bool>> wanted;
+    std::vector<std::pair<std::size_t, tables::Texels>> wanted;
     for (const scene::Material& material : scene.materials)
         for (std::size_t slot = 0; slot < material.textures.size(); ++slot) {
-            if (!material.textures[slot]) continue;
-            const std::size_t image = material.textures[slot]->image.index;
-            const bool srgb = tables::material_textures[slot].space == tables::Space::srgb;
-            if (scene.images[image].pixels == nullptr) continue;
-            if (std::find(wanted.begin(), wanted.end(), std::pair(image, srgb)) == wanted.end())
-                wanted.emplace_back(image, srgb);
+            if (!material.textures[slot] || tables::material_textures[slot].is_relief) continue;
+            const std::pair use(std::size_t{material.textures[slot]->image.index},
+                                tables::texels_of(tables::material_textures[slot]));
+            if (scene.images[use.first].pixels == nullptr) continue;
+            if (std::find(wanted.begin(), wanted.end(), use) == wanted.end()) wanted.push_back(use);
         }
     pool.parallel_for(wanted.size(), [&](std::size_t i) {
-        const auto [image, srgb] = wanted[i];
-        out.images_[image][srgb ? 1 : 0] = {
-            image::build_mips(image::to_rgba8(*scene.images[image].pixels), srgb), srgb};
+        const auto [image, texels] = wanted[i];
+        out.images_[image][static_cast<std::size_t>(texels)] =
+            image::build_mips(image::to_rgba8(*scene.images[image].pixels), texels);
     });
     return out;
 }
 
-const MipImage* Textures::find(scene::ImageId image, tables::Space space) const {
-    const MipImage& found = images_[image.index][space == tables::Space::srgb ? 1 : 0];
-    return found.levels.empty() ? nullptr : &found;
+const MipImage* Textures::find(scene::ImageId image, tables::Texels texels) const {
+    const MipImage& found = images_[image.index][static_cast<std::size_t>(texels)];
+    return found.empty() ? nullptr : &found;
 }
 
 math::Extent Textures::size(scene::ImageId image) const {
-    for (const MipImage& mips : images_[image.index])
-        if (!mips.levels.empty()) return mips.levels.front().size;
+    for (const MipImage& levels : images_[image.index])
+        if (!levels.empty()) return levels.front().size;
     return {1, 1};
 }
 
-Vec4 Textures::sample(const scene::Texture& texture, tables::Space space, Vec2 uv,
+Vec4 Textures::sample(const scene::Texture& texture, tables::Texels texels, Vec2 uv,
                       float lod) const {
-    const MipImage* mips = find(texture.image, space);
-    if (mips == nullptr) return Vec4(1.0F);
-    const auto last = static_cast<float>(mips->levels.size() - 1);
+    const MipImage* levels = find(texture.image, texels);
+    if (levels == nullptr) return Vec4(1.0F);
+    const auto last = static_cast<float>(levels->size() - 1);
     const auto level = static_cast<std::size_t>(std::clamp(lod + 0.5F, 0.0F, last));
-    const image::Image& image = mips->levels[level];
-    const Decode& decode = decode_of(mips->srgb);
+    const image::Image& image = (*levels)[level];
+    const Decode& decode = decode_of(texels == tables::Texels::colors);
     const auto width = static_cast<int>(image.size.width);
     const auto height = static_cast<int>(image.size.height);
     const auto at = [&](int x, int y) {
-        const auto row = static_cast<std::size_t>(wrapped(y, height, texture.wrap_v));
-        const auto column = static_cast<std::size_t>(wrapped(x, width, texture.wrap_u));
+        const auto row = static_cast<std::size_t>(scene::wrapped(y, height, texture.wrap_v));
+        const auto column = static_cast<std::size_t>(scene::wrapped(x, width, texture.wrap_u));
         return reinterpret_cast<const std::uint8_t*>(image.bytes.data()) +
                (row * image.size.width + column) * 4;
     };
-    const float x = tame(uv.x) * static_cast<float>(width);
-    const float y = tame(uv.y) * static_cast<float>(height);
+    const float x = scene::tame(uv.x) * static_cast<float>(width);
+    const float y = scene::tame(uv.y) * static_cast<float>(height);
     if (texture.nearest && level == 0)
         return texel(at(static_cast<int>(std::floor(x)), static_cast<int>(std::floor(y))), decode);
     const float left = std::floor(x - 0.5F);

@@ -11,11 +11,8 @@
 
 namespace facet::trace {
 
-/// One image of one colour space with its levels.
-struct MipImage {
-    std::vector<image::Image> levels;  ///< u8 RGBA
-    bool srgb = false;
-};
+/// One image with its levels: u8 RGBA.
+using MipImage = std::vector<image::Image>;
 
 class Textures {
 public:
@@ -23,16 +20,18 @@ public:
     [[nodiscard]] static Textures build(const scene::Scene& scene, base::ThreadPool& pool);
 
     /// Linear RGBA in [0, 1] at `uv` (transformed already), bilinear in the level nearest to `lod`,
-    /// which counts halvings of the whole picture. A missing image is white. `space` is the slot's.
-    [[nodiscard]] math::Vec4 sample(const scene::Texture& texture, tables::Space space,
+    /// which counts halvings of the whole picture. A missing image is white. `texels` is the
+    /// slot's.
+    [[nodiscard]] math::Vec4 sample(const scene::Texture& texture, tables::Texels texels,
                                     math::Vec2 uv, float lod) const;
     /// Width and height of the picture, in texels; 1 x 1 where it is missing.
     [[nodiscard]] math::Extent size(scene::ImageId image) const;
 
 private:
-    [[nodiscard]] const MipImage* find(scene::ImageId image, tables::Space space) const;
+    [[nodiscard]] const MipImage* find(scene::ImageId image, tables::Texels texels) const;
 
-    std::vector<std::array<MipImage, 2>> images_;  ///< by image, then as it is and as sRGB
+    /// By image, then by what it is used as.
+    std::vector<std::array<MipImage, tables::texels_count>> images_;
 };
 
 }  // namespace facet::trace

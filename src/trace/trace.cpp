@@ -51,7 +51,10 @@ PathLight trace_sample(const Pass& pass, math::Vec2 at_px, Cone cone, Sequence& 
     const CameraRays& camera = pass.camera;
     RayChoice choice;
     if (camera.has_lens()) choice.lens_m = camera.place_on_lens(sequence.next_pair());
-    if (camera.moves()) choice.time = sequence.next();
+    if (camera.moves()) {
+        const math::Vec2 shutter = pass.settings.shutter;
+        choice.time = shutter.x + (shutter.y - shutter.x) * sequence.next();
+    }
     if (!camera.is_chromatic()) {
         PathLight light = trace_path(pass.world, camera.ray(at_px, choice), cone, sequence, apart);
         if (!camera.vignettes()) return light;
@@ -83,8 +86,8 @@ TileCounts trace_tile(const Pass& pass, Film& film, std::size_t tile, std::uint3
                       std::uint32_t count) {
     const TraceSettings& settings = pass.settings;
     TileCounts counts;
-    const float share =
-        std::max(cone_share_min, 1.0F / std::sqrt(static_cast<float>(settings.samples)));
+    const std::uint32_t whole = std::max(settings.samples, settings.whole);
+    const float share = std::max(cone_share_min, 1.0F / std::sqrt(static_cast<float>(whole)));
     const Cone cone{pass.camera.cone_at_eye_m() * share, pass.camera.cone_spread() * share};
     const Film::TileBox box = film.tile_box(tile);
     for (std::uint32_t y = box.y0; y < box.y1; ++y)
@@ -92,7 +95,7 @@ TileCounts trace_tile(const Pass& pass, Film& film, std::size_t tile, std::uint3
             // By its place in the whole picture: a region is the same as that part of the picture.
             const std::uint32_t pixel = (settings.y + y) * settings.picture.width + settings.x + x;
             for (std::uint32_t i = first; i < first + count; ++i) {
-                Sequence sequence(pixel, i, settings.seed);
+                Sequence sequence(pixel, settings.first + i, settings.seed);
                 const math::Vec2 at =
                     sequence.next_pair() + math::Vec2(settings.x + x, settings.y + y);
                 LightPaths apart;
@@ -187,6 +190,19 @@ base::Result<Tracer> Tracer::create(const TraceInputs& inputs, const base::Limit
     impl->geometry = std::move(*geometry);
     impl->build_s = seconds_since(start);
     return Tracer(std::move(impl));
+}
+
+base::Status Tracer::follow_scene(const base::Limits& limits) {
+    const auto start = Clock::now();
+    const scene::Scene& scene = impl_->inputs.scene;
+    impl_->frames = instance_frames(scene);
+    impl_->lights =
+        Lights(scene, impl_->textures, impl_->inputs.sun ? &*impl_->inputs.sun : nullptr);
+    auto geometry = Geometry::build(scene, impl_->textures, limits);
+    if (!geometry) return tl::unexpected(geometry.error());
+    impl_->geometry = std::move(*geometry);
+    impl_->build_s += seconds_since(start);
+    return {};
 }
 
 Traced Tracer::trace(const TraceSettings& settings, base::ThreadPool& pool,

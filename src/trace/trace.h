@@ -42,7 +42,10 @@ struct TraceSettings {
     std::uint32_t x = 0;
     std::uint32_t y = 0;
     math::Extent size;
-    std::uint32_t samples = 64;  ///< per pixel at most
+    std::uint32_t samples = 64;      ///< per pixel at most
+    std::uint32_t first = 0;         ///< of them among the picture's
+    std::uint32_t whole = 0;         ///< the picture's, where these are a part of them
+    math::Vec2 shutter{0.0F, 1.0F};  ///< the part of its time in which they are taken
     std::optional<double>
         noise;              ///< stop where the picture's error in display values is below this
     double exposure = 1.0;  ///< for `noise`: what display values are
@@ -79,6 +82,10 @@ public:
     Tracer(Tracer&&) noexcept;
     Tracer& operator=(Tracer&&) noexcept;
     ~Tracer();
+
+    /// Sorts the triangles and lights again after instances, meshes or lights of the scene have
+    /// moved. Errors: as create().
+    [[nodiscard]] base::Status follow_scene(const base::Limits& limits);
 
     /// The same bytes for any number of threads (but for time_s).
     [[nodiscard]] Traced trace(const TraceSettings& settings, base::ThreadPool& pool,

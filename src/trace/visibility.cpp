@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "trace/visibility.h"
 
+#include "math/color.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -26,7 +28,7 @@ float visible(const World& world, const Surface& surface, const scene::Light& li
     if (math::dot(surface.normal, ray.direction) <= 0.0F ||
         math::dot(surface.face_normal, ray.direction) <= 0.0F)
         return 0.0F;
-    return light.casts_shadow ? world.geometry.transmittance(ray) : 1.0F;
+    return light.casts_shadow ? math::luminance(world.geometry.transmittance(ray)) : 1.0F;
 }
 
 }  // namespace

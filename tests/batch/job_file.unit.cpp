@@ -4,6 +4,7 @@
 
 #include "base/file.h"
 #include "batch/schema.h"
+#include "scene/animation_fixture.h"
 #include "support/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -107,6 +108,60 @@ TEST(JobFile, TurntablesGoRoundAndKeepTheirDistance) {
     EXPECT_EQ(all[1].settings.camera, "orbit:azimuth=80,elevation=20,fit=turn");
     EXPECT_EQ(all[3].output, "ball-003.png");
     EXPECT_EQ(*all[3].frame, 3U);
+}
+
+/// A file with an animation that lasts that long.
+std::string walking(float seconds) {
+    test::Document d = test::triangle();
+    test::animate(d, 0, 0, "translation", test::times(d, {0, seconds}),
+                  d.floats("VEC3", 3, {0, 0, 0, 4, 0, 0}));
+    d.json["animations"][0]["name"] = "Walk";
+    return d.text();
+}
+
+TEST(JobFile, AnimationsHaveAsManyFramesAsTheyLast) {
+    const TemporaryFolder folder;
+    folder.write("a.gltf", walking(1.0F));
+    folder.write("b.gltf", walking(0.26F));
+    const auto parsed =
+        parse(job_of(R"("scene": ["a.gltf", "b.gltf"], "quality": ["draft", "standard"],
+        "frames": {"animation": "Walk", "fps": 10})",
+                     "{scene}-{quality}-{frame:02}.png"),
+              folder / "job.json");
+    const auto all = items(parsed);
+    ASSERT_EQ(all.size(), 26U);
+    EXPECT_EQ(all[0].settings.animation, "Walk");
+    EXPECT_EQ(all[0].settings.time, 0.0F);
+    EXPECT_EQ(all[9].settings.time, 0.9F) << "a film that loops is at its beginning at the end";
+    EXPECT_EQ(all[9].output.filename(), "a-draft-09.png");
+    EXPECT_EQ(all[19].output.filename(), "a-standard-09.png");
+    EXPECT_EQ(all[22].output.filename(), "b-draft-02.png");
+    EXPECT_EQ(all[22].settings.time, 0.2F);
+    const std::vector<std::size_t> firsts{0, 1, 10, 20, 23};
+    const auto films = parsed.job->films(firsts);
+    ASSERT_EQ(films.size(), 4U);
+    EXPECT_NE(films[0].find("-framerate 10 "), std::string::npos) << films[0];
+    EXPECT_NE(films[2].find("-frames:v 3 "), std::string::npos) << films[2];
+}
+
+TEST(JobFile, MistakesInFramesOfAnimationsAreTold) {
+    const TemporaryFolder folder;
+    folder.write("a.gltf", walking(1.0F));
+    const auto first = [&](std::string_view frames) {
+        return parse(
+                   job_of(R"("scene": "a.gltf", "frames": )" + std::string(frames), "{frame}.png"),
+                   folder / "job.json")
+            .first();
+    };
+    for (const auto& [frames, told] : std::vector<std::pair<const char*, const char*>>{
+             {R"({"animation": "Run"})", "no such animation (Run); one of Walk"},
+             {R"({"animation": "Walk", "fps": 0})", "/items/0/frames/fps"},
+             {R"({"animation": "Walk", "fps": "x"})", "/items/0/frames/fps"},
+             {R"({"animation": [1]})", "/items/0/frames/animation"},
+             {R"({"animation": "Walk", "orbit": 3})", "an orbit or an animation"},
+             {R"({"orbit": 3, "fps": 3})", "fps is for an animation"},
+             {R"({"animation": "Walk", "fsp": 3})", "did you mean fps"}})
+        EXPECT_NE(first(frames).find(told), std::string::npos) << frames << ": " << first(frames);
 }
 
 TEST(JobFile, RandomAxesComeFromTheirSeed) {

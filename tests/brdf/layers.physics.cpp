@@ -14,13 +14,10 @@ namespace {
 
 using Lobe = Terms<double>;
 using Dir = Lobe::real3;
+using test::direction_of;
 using test::PairOfDirections;
 using test::pi;
 
-Dir direction(double cosine, double phi) {
-    const double sine = std::sqrt((1 - cosine) * (1 + cosine));
-    return {sine * std::cos(phi), sine * std::sin(phi), cosine};
-}
 /// Integral over the hemisphere: midpoints in azimuth, and in the square root of 1 - cosine, which
 /// crowds the pole.
 template <class F>
@@ -29,17 +26,17 @@ double over_hemisphere_of(F f, int side = 600) {
     for (int i = 0; i < side; ++i)
         for (int j = 0; j < side; ++j) {
             const double t = (i + 0.5) / side;
-            sum += f(direction(1 - t * t, (j + 0.5) / side * 2 * pi)) * 2 * t;
+            sum += f(direction_of<Dir>(1 - t * t, (j + 0.5) / side * 2 * pi)) * 2 * t;
         }
     return sum * 2 * pi / (side * side);
 }
 
-const std::pair<double, double> widths[] = {{0.3, 0.3}, {0.5, 0.15}, {0.2, 1.0}};
+const std::pair<double, double> both_widths[] = {{0.3, 0.3}, {0.5, 0.15}, {0.2, 1.0}};
 
 // The projected microfacet area is the surface's (Walter et al. 2007, Section 3.1).
 TEST(AnisotropicGgx, ProjectedAreaOfTheMicrofacetsIsOne) {
     Lobe lobe;
-    for (const auto& [x, y] : widths)
+    for (const auto& [x, y] : both_widths)
         EXPECT_NEAR(over_hemisphere_of([&](const Dir& h) {
                         return lobe.d_ggx_anisotropic(h, {x, y}) * h.z;
                     }),
@@ -50,9 +47,9 @@ TEST(AnisotropicGgx, ProjectedAreaOfTheMicrofacetsIsOne) {
 // What a viewer sees of the facets is what it sees of the surface (Heitz 2014, Eq. 14).
 TEST(AnisotropicGgx, VisibleFacetsFillTheProjectedSurface) {
     Lobe lobe;
-    for (const auto& [x, y] : widths)
+    for (const auto& [x, y] : both_widths)
         for (const double phi : {0.0, 0.7, 1.5}) {
-            const Dir v = direction(0.5, phi);
+            const Dir v = direction_of<Dir>(0.5, phi);
             // 2 V n.l at l -> the limit of no shadowing is not at hand: G1 from the sampler's
             // density instead.
             const double seen = over_hemisphere_of([&](const Dir& h) {
@@ -65,7 +62,8 @@ TEST(AnisotropicGgx, VisibleFacetsFillTheProjectedSurface) {
 
 TEST(AnisotropicGgx, OfEqualWidthsIsTheIsotropicOne) {
     Lobe lobe;
-    const Dir v = direction(0.4, 0.3), l = direction(0.8, 2.0), h = glm::normalize(v + l);
+    const Dir v = direction_of<Dir>(0.4, 0.3), l = direction_of<Dir>(0.8, 2.0),
+              h = glm::normalize(v + l);
     const double a = 0.36;
     EXPECT_NEAR(lobe.d_ggx_anisotropic(h, {a, a}), lobe.d_ggx(h.z, a), 1e-12);
     EXPECT_NEAR(lobe.v_smith_ggx_anisotropic(v, l, {a, a}),
@@ -75,7 +73,7 @@ TEST(AnisotropicGgx, OfEqualWidthsIsTheIsotropicOne) {
 
 TEST(AnisotropicGgx, IsReciprocal) {
     Lobe lobe;
-    const Dir v = direction(0.15, 0.3), l = direction(0.8, 2.0);
+    const Dir v = direction_of<Dir>(0.15, 0.3), l = direction_of<Dir>(0.8, 2.0);
     EXPECT_NEAR(lobe.v_smith_ggx_anisotropic(v, l, {0.2, 0.7}),
                 lobe.v_smith_ggx_anisotropic(l, v, {0.2, 0.7}), 1e-12);
 }
@@ -86,8 +84,8 @@ TEST(AnisotropicGgx, SampledAlbedoEqualsQuadratureWithinThreeStandardErrors) {
     Lobe lobe;
     std::mt19937 engine(9);
     const auto next = [&] { return static_cast<double>(engine()) / 4294967296.0; };
-    for (const auto& [x, y] : widths) {
-        const Dir v = direction(0.6, 0.5);
+    for (const auto& [x, y] : both_widths) {
+        const Dir v = direction_of<Dir>(0.6, 0.5);
         const Lobe::real2 alpha{x, y};
         double sum = 0, squares = 0;
         constexpr int draws = 40'000;
@@ -145,7 +143,7 @@ TEST(Sheen, SampledAlbedoEqualsTheTableWithinThreeStandardErrors) {
     const auto next = [&] { return static_cast<double>(engine()) / 4294967296.0; };
     for (const auto& row : test::reference_rows("albedo_sheen_diffuse")) {
         const double alpha = row["roughness"] * row["roughness"];
-        const Dir v = direction(row["n_dot_v"], 0.0);
+        const Dir v = direction_of<Dir>(row["n_dot_v"], 0.0);
         double sum = 0, squares = 0;
         constexpr int draws = 20'000;
         for (int i = 0; i < draws; ++i) {

@@ -14,21 +14,21 @@
 namespace facet::brdf {
 namespace {
 
-using Terms = LightTerms<double>;
-using Vec2 = Terms::real2;
-using Vec3 = Terms::real3;
-using Vec4 = Terms::real4;
+using Polygons = LightTerms<double>;
+using Vec2 = Polygons::real2;
+using Vec3 = Polygons::real3;
+using Vec4 = Polygons::real4;
 
 using test::pi;
 
 /// As glsl/frame/lighting/area.glsl goes around them.
 double rect_share(const Vec3& center, const Vec3& x, const Vec3& y) {
-    return Terms{}.polygon_share(center, x + y, y - x, {0.0, 1.0}, 4);
+    return Polygons{}.polygon_share(center, x + y, y - x, {0.0, 1.0}, 4);
 }
 double disk_share(const Vec3& center, const Vec3& x, const Vec3& y) {
     const double reach = std::sqrt(pi / std::sqrt(8.0));
     const double turn = std::sqrt(0.5);
-    return Terms{}.polygon_share(center, x * reach, y * reach, {turn, turn}, 8);
+    return Polygons{}.polygon_share(center, x * reach, y * reach, {turn, turn}, 8);
 }
 
 // The light shines down: x, y and -z right-handed.
@@ -69,7 +69,7 @@ TEST(Polygon, NothingComesFromBehindOrFromBelowTheHorizon) {
 }
 
 Vec4 cell_at(double n_dot_v, double roughness) {
-    const Vec2 at = Terms{}.ltc_coordinates(n_dot_v, roughness) * (ltc_size - 1.0);
+    const Vec2 at = Polygons{}.ltc_coordinates(n_dot_v, roughness) * (ltc_size - 1.0);
     const auto column = std::min(static_cast<std::size_t>(at.x), ltc_size - 2);
     const auto row = std::min(static_cast<std::size_t>(at.y), ltc_size - 2);
     const auto texel = [&](std::size_t r, std::size_t c) {
@@ -93,9 +93,9 @@ TEST(Polygon, TransformedCosinesMirrorASquareAsTheIntegralOfTheLobeDoes) {
         const Vec4 cell = cell_at(row["n_dot_v"], row["roughness"]);
         // The viewer is on the side of +x here, of -x in the table.
         const double half = 0.5 * row["size"];
-        const Vec3 center = Terms{}.ltc_transformed(cell, Vec3(-row["x"], 0.0, row["h"]));
-        const Vec3 x = Terms{}.ltc_transformed(cell, Vec3(half, 0, 0));
-        const Vec3 y = Terms{}.ltc_transformed(cell, Vec3(0, -half, 0));
+        const Vec3 center = Polygons{}.ltc_transformed(cell, Vec3(-row["x"], 0.0, row["h"]));
+        const Vec3 x = Polygons{}.ltc_transformed(cell, Vec3(half, 0, 0));
+        const Vec3 y = Polygons{}.ltc_transformed(cell, Vec3(0, -half, 0));
         const SplitSum albedo = split_sum(choice, row["n_dot_v"], row["roughness"]);
         const double found = (albedo.a + albedo.b) * rect_share(center, x, y);
         off += std::fabs(found - row["L"]);

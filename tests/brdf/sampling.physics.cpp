@@ -18,14 +18,10 @@ namespace {
 
 using tables::BrdfChoice;
 using tables::Distribution;
+using test::direction_of;
 using test::PairOfDirections;
 using Lobe = Terms<double>;
 using Dir = Lobe::real3;
-
-Dir direction(double cosine, double phi) {
-    const double sine = std::sqrt((1 - cosine) * (1 + cosine));
-    return {sine * std::cos(phi), sine * std::sin(phi), cosine};
-}
 
 /// Uniform numbers whose sequence is the standard's (distributions are not).
 class Random {
@@ -144,7 +140,7 @@ std::vector<double> expected_shares(const Sampler& sampler, int side) {
                 for (int j = 0; j < side; ++j) {
                     const double z = (ring + (i + 0.5) / side) / rings * 2 - 1;
                     const double phi = ((sector + (j + 0.5) / side) / sectors - 0.5) * 2 * test::pi;
-                    sum += sampler.density(direction(z, phi));
+                    sum += sampler.density(direction_of<Dir>(z, phi));
                 }
             const double area = 2.0 / rings * 2 * test::pi / sectors;
             shares[static_cast<std::size_t>(ring * sectors + sector)] = sum / (side * side) * area;
@@ -164,7 +160,7 @@ TEST(Sampling, DrawsFollowTheirDensityByChiSquareAtOnePercent) {
     std::vector<Lobe> lobes;
     for (const double roughness : {0.35, 0.6, 1.0})
         for (const double cosine : {0.15, 0.6, 0.99})
-            for (const Sampler& s : samplers(direction(cosine, 0.4), roughness, lobes)) {
+            for (const Sampler& s : samplers(direction_of<Dir>(cosine, 0.4), roughness, lobes)) {
                 // Facets seen edge on send light to -v with a density without bound, which
                 // midpoints cannot sum.
                 if (!s.whole && cosine < 0.5) continue;
@@ -203,7 +199,7 @@ TEST(Sampling, DensitiesIntegrateToOne) {
     std::vector<Lobe> lobes;
     for (const double roughness : {0.35, 0.6, 1.0})
         for (const double cosine : {0.15, 0.6, 1.0})
-            for (const Sampler& s : samplers(direction(cosine, 0.4), roughness, lobes)) {
+            for (const Sampler& s : samplers(direction_of<Dir>(cosine, 0.4), roughness, lobes)) {
                 // Where facets turn away, the others' share is less than 1.
                 if (!s.whole && cosine < 1.0) continue;
                 double sum = 0;
@@ -220,7 +216,7 @@ TEST(Sampling, SampledAlbedoEqualsQuadratureWithinThreeStandardErrors) {
             for (const double cosine : {0.2, 0.7, 1.0}) {
                 Lobe lobe{{.distribution = distribution}};
                 const double alpha = roughness * roughness;
-                const Dir v = direction(cosine, 1.0);
+                const Dir v = direction_of<Dir>(cosine, 1.0);
                 Random random(5);
                 double sum = 0, squares = 0;
                 for (int i = 0; i < draws; ++i) {
@@ -249,7 +245,7 @@ TEST(Sampling, AVisibleNormalsWeightNeverExceedsOne) {
     for (int i = 0; i < 20'000; ++i) {
         const double roughness = 0.03 + 0.97 * random.next();
         const double alpha = roughness * roughness;
-        const Dir v = direction(1e-3 + (1 - 1e-3) * random.next(), random.next() * 6.0);
+        const Dir v = direction_of<Dir>(1e-3 + (1 - 1e-3) * random.next(), random.next() * 6.0);
         const Dir h = lobe.sample_ggx(v, alpha, random.pair());
         const double v_dot_h = glm::dot(v, h);
         const Dir l = h * (2 * v_dot_h) - v;

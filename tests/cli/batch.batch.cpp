@@ -1,5 +1,6 @@
 // facet batch as it is typed.
 // SPDX-License-Identifier: MIT
+#include "base/file.h"
 #include "support/process.h"
 #include "support/temporary_folder.h"
 
@@ -191,7 +192,7 @@ TEST(Batch, AWorkerThatDiesOrHangsFailsItsItemAlone) {
 TEST(Batch, TermEndsItCleanlyAndItGoesOn) {
     const TemporaryFolder folder;
     folder.write("job.json", R"({"facet": 1, "output": "{index:03}.png",
-        "items": [{"scene": "builtin:ball", "size": "320x240", "env_rotation": {"random": [0, 9], "count": 60}}]})");
+        "items": [{"scene": "builtin:ball", "size": "320x240", "env_rotation": {"random": [0, 9], "count": 20}}]})");
     const Ran ended = support::run(
         {"/bin/bash", "-c",
          FACET_BINARY_DIR
@@ -202,19 +203,19 @@ TEST(Batch, TermEndsItCleanlyAndItGoesOn) {
     EXPECT_NE(ended.err.find("run again to resume"), std::string::npos) << ended.err;
     const json rest = run_json(folder, 0);
     EXPECT_GT(rest["skipped"], 3);
-    EXPECT_EQ(rest["skipped"].get<int>() + rest["done"].get<int>(), 60);
+    EXPECT_EQ(rest["skipped"].get<int>() + rest["done"].get<int>(), 20);
 }
 
 TEST(Batch, ASecondRunWaitsOrIsTurnedAway) {
     const TemporaryFolder folder;
     folder.write("job.json", R"({"facet": 1, "output": "{index}.png",
-        "items": [{"scene": "builtin:ball", "size": "640x480", "env_rotation": {"random": [0, 9], "count": 12}}]})");
+        "items": [{"scene": "builtin:ball", "size": "320x240", "env_rotation": {"random": [0, 9], "count": 12}}]})");
     const Ran both = support::run(
         {"/bin/bash", "-c",
          FACET_BINARY_DIR "/facet batch job.json -q & until [ -e job.facet/results-0-of-1.jsonl ]; "
                           "do sleep 0.02; done; " FACET_BINARY_DIR
                           "/facet batch job.json -q; echo refused $?; " FACET_BINARY_DIR
-                          "/facet batch job.json -q --wait 60; echo waited $?; wait"},
+                          "/facet batch job.json -q --wait 600; echo waited $?; wait"},
         {.folder = folder.path()});
     EXPECT_NE(both.out.find("refused 75"), std::string::npos) << both.out << both.err;
     EXPECT_NE(both.out.find("waited 0"), std::string::npos) << both.out << both.err;
@@ -337,7 +338,7 @@ TEST(Batch, MistakesAreToldBeforeAnythingIsDone) {
                    "typo.json:/items/0/samplse (2:38): unknown key");
     folder.write("film.json", R"({"facet": 1, "output": "a.png",
         "items": [{"scene": "builtin:ball", "frames": {"animation": "Walk", "fps": 24}}]})");
-    expect_refused(batch(folder, {"film.json"}), 4, "animations are not played yet");
+    expect_refused(batch(folder, {"film.json"}), 3, "no such animation (Walk); it has none");
     EXPECT_FALSE(fs::exists(folder / "job.facet"));
     EXPECT_FALSE(fs::exists(folder / "out"));
     EXPECT_EQ(

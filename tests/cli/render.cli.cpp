@@ -1,5 +1,6 @@
 // facet render: the picture, the line about it, and what is left on disk when it cannot be made.
 // SPDX-License-Identifier: MIT
+#include "scene/animation_fixture.h"
 #include "support/process.h"
 #include "support/temporary_folder.h"
 
@@ -55,6 +56,36 @@ TEST(Render, WithJsonPrintsOneObjectWithTheContractsKeys) {
         EXPECT_TRUE(object.contains(key)) << key;
     for (const char* key : {"load", "upload", "render", "write"})
         EXPECT_TRUE(object["ms"].contains(key)) << key;
+}
+TEST(Render, AnAnimationThatIsNotThereOrBrokenIsOneClearLine) {
+    const TemporaryFolder folder;
+    test::Document d = test::moving();
+    d.json["animations"][0]["name"] = "Walk";
+    test::animate(d, 1, 0, "translation", test::times(d, {1, 0}),
+                  d.floats("VEC3", 3, {0, 0, 0, 0, 9, 0}));
+    folder.write("a.gltf", d.text());
+    const auto play = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), {"render", "a.gltf", "--size", "16x16", "--quality", "draft"});
+        return facet(more, {.folder = folder.path()});
+    };
+    EXPECT_EQ(play({"--animation", "Walk", "--time", "0.5"}).exit, 0);
+    const Ran unknown = play({"--animation", "Wlak"});
+    EXPECT_EQ(unknown.exit, 2);
+    EXPECT_NE(unknown.err.find("--animation: the file has no such animation (Wlak); one of Walk, "
+                               "animation 1, or its index, 0 to 1"),
+              std::string::npos)
+        << unknown.err;
+    const Ran broken = play({"--animation", "1"});
+    EXPECT_EQ(broken.exit, 3);
+    EXPECT_NE(broken.err.find("a.gltf:/animations/1/samplers/0/input: times do not increase"),
+              std::string::npos)
+        << broken.err;
+    const Ran unplayed = play({});
+    EXPECT_EQ(unplayed.exit, 0);
+    EXPECT_NE(unplayed.err.find("times do not increase"), std::string::npos) << unplayed.err;
+    const Ran still = facet(with({"--time", "1", "-o", (folder / "b.png").string()}));
+    EXPECT_EQ(still.exit, 0);
+    EXPECT_NE(still.err.find("the file has no animation"), std::string::npos) << still.err;
 }
 TEST(Render, ToStandardOutputIsAPngAndNothingElse) {
     const Ran ran = facet(with({"-o", "-"}));

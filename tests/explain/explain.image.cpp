@@ -4,6 +4,8 @@
 
 #include "base/texts.h"
 #include "explain/told.h"
+#include "scene/animation_fixture.h"
+#include "support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -33,9 +35,7 @@ struct Case {
 };
 class Explain : public testing::TestWithParam<Case> {};
 
-TEST_P(Explain, AddsUpToThePixelsOfThePicture) {
-    render::Request request = request_of(GetParam().scene, GetParam().env);
-    request.settings.brdf = GetParam().brdf;
+void expect_sums(render::Request request) {
     std::vector<PixelRequest> pixels;
     std::mt19937 random(7);
     for (int i = 0; i < 180; ++i)
@@ -56,6 +56,26 @@ TEST_P(Explain, AddsUpToThePixelsOfThePicture) {
             EXPECT_NEAR(pixel.sum[c], truth, std::max(std::fabs(truth), 1e-6) * 1e-4)
                 << pixel.x << "," << pixel.y;
         }
+}
+
+TEST_P(Explain, AddsUpToThePixelsOfThePicture) {
+    render::Request request = request_of(GetParam().scene, GetParam().env);
+    request.settings.brdf = GetParam().brdf;
+    expect_sums(request);
+}
+TEST(ExplainPixel, AddsUpWhereSomethingMovesMeanwhile) {
+    const support::TemporaryFolder folder;
+    test::Document d = test::moving();
+    d.json["materials"] = {{{"doubleSided", true}}};
+    test::primitive(d)["material"] = 0;
+    render::Request request = request_of(folder.write("a.gltf", d.text()).string(), "studio");
+    request.settings.camera = "orbit:azimuth=0,elevation=0,distance=4,target=2 0.5 0";
+    request.settings.time = 1.0F;
+    request.settings.shutter = 0.5F;
+    for (const char* const shadows : {"traced", "maps", "off"}) {
+        request.settings.shadows = shadows;
+        expect_sums(request);
+    }
 }
 INSTANTIATE_TEST_SUITE_P(BundledScenes, Explain,
                          testing::Values(Case{"builtin:showcase", "studio", ""},

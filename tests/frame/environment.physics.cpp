@@ -173,11 +173,10 @@ TEST(EnvironmentBake, SunOfOnePixelGivesOneSmoothHighlightOnEveryLevel) {
 TEST(EnvironmentBake, BytesDoNotDependOnTheNumberOfThreads) {
     const image::Image latlong = picture(
         128, [](const Vec3& d) { return Vec3(std::exp(3.0F * d.x), 1.0F + d.y * d.z, d.y * d.y); });
-    base::Warnings warnings;
     base::ThreadPool one(1);
     base::ThreadPool five(5);
-    const BakedEnvironment a = bake_environment(latlong, 33.0F, 1.5F, one, warnings);
-    const BakedEnvironment b = bake_environment(latlong, 33.0F, 1.5F, five, warnings);
+    const BakedEnvironment a = bake_environment(latlong, 33.0F, 1.5F, one);
+    const BakedEnvironment b = bake_environment(latlong, 33.0F, 1.5F, five);
     EXPECT_EQ(a.radiance, b.radiance);
 }
 
@@ -185,7 +184,8 @@ TEST(EnvironmentBake, RadianceAboveTheLargestHalfIsCutWithOneWarning) {
     base::ThreadPool pool(1);
     base::Warnings warnings;
     const auto sun = [](const Vec3& d) { return Vec3(d.x > 0.99F ? 1e9F : 1.0F); };
-    const auto baked = bake_environment(picture(64, sun), 0.0F, 1.0F, pool, warnings);
+    const auto baked = bake_environment(picture(64, sun), 0.0F, 1.0F, pool);
+    warn_of(baked, warnings);
     ASSERT_EQ(warnings.size(), 1U);
     EXPECT_EQ(reflected(baked, {1.0F, 0.01F, 0.01F}).x, math::half_max);
 }
@@ -193,8 +193,9 @@ TEST(EnvironmentBake, RadianceAboveTheLargestHalfIsCutWithOneWarning) {
 TEST(EnvironmentBake, BlindingLightIsStoredInAUnitInWhichItsIrradianceFits) {
     base::ThreadPool pool(1);
     base::Warnings warnings;
-    const auto baked = bake_environment(picture(64, [](const Vec3&) { return Vec3(1e6F); }), 0.0F,
-                                        1.0F, pool, warnings);
+    const auto baked =
+        bake_environment(picture(64, [](const Vec3&) { return Vec3(1e6F); }), 0.0F, 1.0F, pool);
+    warn_of(baked, warnings);
     EXPECT_TRUE(warnings.empty());
     EXPECT_NEAR(irradiance_over_pi(baked, {0.0F, 1.0F, 0.0F}).x, 1e6F, 1e3F);
     EXPECT_EQ(bake(picture(64, [](const Vec3&) { return Vec3(1.0F); })).unit_nit, 1.0F);

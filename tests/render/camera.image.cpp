@@ -12,13 +12,7 @@
 namespace facet::render {
 namespace {
 
-/// Radiance of a picture, f32 [height, width, 4].
-image::Image radiance_of(Request request) {
-    request.want_linear = true;
-    auto rendered = test::rendered(request);
-    if (!rendered) return {request.settings.size, 4, image::Sample::f32};
-    return std::move(rendered->layers.front().image);
-}
+using test::radiance_of;
 
 math::Vec3 at(const image::Image& image, std::uint32_t x, std::uint32_t y) {
     const auto v = image.as<float>();

@@ -8,14 +8,8 @@
 namespace facet::render {
 namespace {
 
-struct Lit {
-    const char* light;
-    const char* env;
-};
-constexpr Lit every_light[] = {
-    {"", "studio"},
-    {"directional:azimuth=40,elevation=50,lux=3", "black"},
-    {"rect:position=1.6 2.6 2.2,target=0 0.5 0,nit=60,width=1,height=0.5", "black"}};
+using test::every_light;
+using test::Lit;
 
 /// Of the ball in red plastic with `edits` over it.
 double rmse(const Lit& by, const char* shadows, std::vector<std::string> edits) {

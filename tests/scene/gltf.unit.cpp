@@ -87,16 +87,6 @@ TEST(GltfMesh, strips_and_fans_keep_every_triangle_facing_the_same_way) {
     }
 }
 
-TEST(GltfMesh, points_and_lines_are_skipped_with_a_warning) {
-    Document d = triangle();
-    primitive(d)["mode"] = 1;
-    const auto loaded = load_document(d);
-    ASSERT_TRUE(loaded);
-    EXPECT_EQ(loaded->scene.instances.size(), 0U);
-    ASSERT_FALSE(loaded->warnings.empty());
-    EXPECT_EQ(loaded->warnings[0].where, "/meshes/0/primitives/0/mode");
-}
-
 TEST(GltfMesh, interleaved_attributes_are_taken_apart) {
     Document d;
     const std::vector<float> mixed{0, 0, 0, 0.25F, 0.5F, 1, 0, 0, 0.75F, 1, 0, 1, 0, 0, 0};

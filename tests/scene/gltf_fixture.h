@@ -40,6 +40,7 @@ inline std::string base64(std::string_view bytes) {
 struct Document {
     Json json = {{"asset", {{"version", "2.0"}}}, {"scene", 0}, {"scenes", {{{"nodes", {0}}}}}};
     std::string bytes;
+    std::size_t placeholder_bytes = 0;  ///< of a second buffer, which has none
 
     /// A buffer view over `data`; its index.
     std::size_t view(std::string_view data) {
@@ -82,12 +83,14 @@ struct Document {
         if (!bytes.empty())
             out["buffers"] = {{{"byteLength", bytes.size()},
                                {"uri", "data:application/octet-stream;base64," + base64(bytes)}}};
+        if (placeholder_bytes > 0) out["buffers"].push_back({{"byteLength", placeholder_bytes}});
         return out;
     }
     [[nodiscard]] std::string text() const { return finished().dump(); }
     [[nodiscard]] std::string glb() const {
         Json out = json;
         if (!bytes.empty()) out["buffers"] = {{{"byteLength", bytes.size()}}};
+        if (placeholder_bytes > 0) out["buffers"].push_back({{"byteLength", placeholder_bytes}});
         std::string text = out.dump();
         text.resize((text.size() + 3) / 4 * 4, ' ');
         std::string bin = bytes;

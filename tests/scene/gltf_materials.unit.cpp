@@ -190,6 +190,37 @@ TEST(GltfMaterials, factors_of_extensions_are_read_by_their_rows) {
     EXPECT_NEAR(scene::dielectric_f0(v).z, 30 * f0, 1e-5);
 }
 
+TEST(GltfMaterials, extras_bring_height_and_fresnel_maps) {
+    Document d = textured();
+    d.json["materials"][0]["extras"]["facet"] = {
+        {"height", {{"texture", {{"index", 0}}}, {"scale_m", -0.25}}},
+        {"fresnel_ramp", {{"texture", {{"index", 0}}}}}};
+    const scene::Loaded loaded = loaded_or_fail(d);
+    EXPECT_TRUE(loaded.warnings.empty());
+    const scene::Material& material = loaded.scene.materials[0];
+    EXPECT_TRUE(material.texture(TextureSlot::height_texture).has_value());
+    EXPECT_TRUE(material.texture(TextureSlot::fresnel_ramp_texture).has_value());
+    EXPECT_EQ(material.values.height_scale_m, -0.25F);
+}
+
+TEST(GltfMaterials, extras_that_cannot_be_read_are_warned_of_by_their_pointer) {
+    for (const Json& height :
+         {Json{{"texture", {{"index", 7}}}}, Json{{"texture", {{"index", -1}}}},
+          Json{{"texture", "bumps.png"}}, Json{{"texture", Json::object()}}}) {
+        Document d = textured();
+        d.json["materials"][0]["extras"]["facet"]["height"] = height;
+        const scene::Loaded loaded = loaded_or_fail(d);
+        ASSERT_EQ(loaded.warnings.size(), 1U) << height;
+        EXPECT_EQ(loaded.warnings[0].where, "/materials/0/extras/facet/height/texture") << height;
+        EXPECT_FALSE(loaded.scene.materials[0].texture(TextureSlot::height_texture).has_value());
+    }
+    Document d = textured();
+    d.json["materials"][0]["extras"]["facet"]["height"] = {{"scale_m", "high"}};
+    const scene::Loaded loaded = loaded_or_fail(d);
+    ASSERT_EQ(loaded.warnings.size(), 1U);
+    EXPECT_EQ(loaded.warnings[0].where, "/materials/0/extras/facet/height/scale_m");
+}
+
 TEST(GltfMaterials, a_normal_map_makes_tangents_and_none_makes_none) {
     Document d = textured();
     EXPECT_TRUE(loaded_or_fail(d).scene.meshes[0].tangents.empty());

@@ -21,7 +21,7 @@ TEST(LightProfileFuzz, EndsOnEveryMutationWithSharesOfOne) {
     std::mt19937 random(1);
     const std::string_view alphabet = "0123456789.-+e, \n\r=TN\0\xFF";
     int whole = 0;
-    for (int round = 0; round < 20'000; ++round) {
+    for (int round = 0; round < 4'000; ++round) {
         std::string text(profile_seeds[random() % std::size(profile_seeds)]);
         for (std::uint_fast32_t edits = random() % 6; edits > 0; --edits) {
             const std::size_t at = random() % text.size();
@@ -41,7 +41,7 @@ TEST(LightProfileFuzz, EndsOnEveryMutationWithSharesOfOne) {
         ASSERT_GT(profile->candela, 0.0F) << text;
         ASSERT_LE(profile->flux_per_candela, 12.6F) << text;
     }
-    EXPECT_GT(whole, 1000);
+    EXPECT_GT(whole, 200);
 }
 
 }  // namespace

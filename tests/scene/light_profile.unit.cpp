@@ -3,6 +3,7 @@
 #include "scene/light_profile.h"
 
 #include "math/vector.h"
+#include "scene/builtin_files.h"
 #include "scene/light_spec.h"
 
 #include <gtest/gtest.h>
@@ -127,8 +128,8 @@ TEST(LightProfile, SetsTheCandelaOfItsLight) {
     EXPECT_EQ(light_key_text(*own, "file"), file.string());
     EXPECT_FALSE(parse_light("ies:file=nowhere.ies"));
 
-    ASSERT_EQ(builtin_lamp_names().size(), 3U);
-    for (const std::string& name : builtin_lamp_names()) {
+    ASSERT_EQ(builtin_names(builtin_lamps).size(), 3U);
+    for (const std::string& name : builtin_names(builtin_lamps)) {
         const auto lamp = parse_light("ies:file=builtin:" + name);
         ASSERT_TRUE(lamp) << name;
         EXPECT_EQ(lamp->intensity, 1000.0F) << name;

@@ -134,10 +134,18 @@ TEST(LightSpec, SpotWhoseInnerAngleIsNotBelowItsOuterIsRefused) {
     refusal("spot:outer=91");
 }
 
-TEST(LightSpec, KeysOfTheContractThatAreNotThereYetSaySo) {
-    refusal("point:visible=on", ErrorCode::feature_missing);
-    EXPECT_EQ(light("point:visible=off").kind, LightKind::point);
-    refusal("point:visible=maybe");
+TEST(LightSpec, OnlyLightsWithASizeCanBeVisible) {
+    for (const char* kind : {"rect", "disk", "sphere", "tube"}) {
+        EXPECT_TRUE(light(std::string(kind) + ":visible=on").is_visible) << kind;
+        EXPECT_FALSE(light(kind).is_visible) << kind;
+    }
+    for (const char* kind : {"point", "spot", "directional", "ies"}) {
+        const std::string line = refusal(std::string(kind) + ":visible=on");
+        EXPECT_NE(line.find("no shape"), std::string::npos) << line;
+        EXPECT_FALSE(light(std::string(kind) + ":visible=off").is_visible) << kind;
+    }
+    refusal("rect:visible=maybe");
+    EXPECT_EQ(light_key_text(light("disk:visible=on"), "visible"), "on");
 }
 
 TEST(LightSpec, ShadowIsOnOrOff) {

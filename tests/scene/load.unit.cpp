@@ -1,5 +1,6 @@
 // Loading by name: files, what they may read, built-in scenes, and the models of the corpus.
 // SPDX-License-Identifier: MIT
+#include "scene/builtin_files.h"
 #include "support/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -152,7 +153,7 @@ TEST(LoadingBuiltins, an_unknown_scene_is_a_usage_error) {
 
 TEST(LoadingBuiltins, every_listed_scene_loads) {
     base::ThreadPool pool(1);
-    for (const std::string& name : scene::builtin_scene_names()) {
+    for (const std::string& name : scene::builtin_names(scene::builtin_scenes)) {
         const auto loaded = scene::load("builtin:" + name, {.decode_images = false}, {}, pool);
         EXPECT_TRUE(loaded.has_value()) << name << ": " << base::to_line(loaded.error());
     }

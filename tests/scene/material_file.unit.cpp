@@ -2,7 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "scene/material_file.h"
 
+#include "scene/dielectric.h"
+#include "scene/load.h"
+
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 namespace facet::scene {
 namespace {
@@ -71,6 +76,33 @@ TEST(MaterialFile, EveryPresetReadsAndNamesItsSource) {
         ASSERT_TRUE(file) << base::to_line(file.error());
         EXPECT_FALSE(file->name.empty()) << name;
         EXPECT_FALSE(file->source.empty()) << name;
+    }
+}
+
+// scripts/make_resources.py reads them when it makes the scene, which somebody has to run.
+TEST(MaterialPresets, AreThoseOfTheHaresOfTheirNamesWhoseMeanWaysRise) {
+    base::ThreadPool pool(1);
+    const auto loaded = load("builtin:subsurface", {}, {}, pool);
+    ASSERT_TRUE(loaded) << base::to_line(loaded.error());
+    EXPECT_TRUE(loaded->warnings.empty());
+    float way_m = 0.0F;
+    for (const char* const name : {"skin", "wax", "jade"}) {
+        const auto material = std::ranges::find(loaded->scene.materials, name, &Material::name);
+        ASSERT_NE(material, loaded->scene.materials.end()) << name;
+        const auto preset = load_material(name, {});
+        ASSERT_TRUE(preset) << name;
+        Material wanted;
+        apply_material(*preset, wanted);
+        for (const tables::MaterialParam& param : tables::material_params)
+            std::visit(
+                [&](auto field) {
+                    EXPECT_EQ(material->values.*field, wanted.values.*field)
+                        << name << " " << param.key;
+                },
+                param.field);
+        const math::Vec3 ways = 1.0F / extinction_per_m(material->values);
+        EXPECT_GT(std::min({ways.x, ways.y, ways.z}), way_m) << name;
+        way_m = std::max({ways.x, ways.y, ways.z});
     }
 }
 

@@ -5,6 +5,7 @@
 #include "base/file.h"
 #include "base/resources.h"
 #include "image/write.h"
+#include "scene/builtin_files.h"
 #include "scene/light_spec.h"
 #include "scene/set_path.h"
 #include "support/temporary_folder.h"
@@ -151,11 +152,15 @@ TEST(Save, DroppedAndReplacedTexturesReadBack) {
     const std::string picture = (folder / "in/p.png").string();
     ASSERT_TRUE(apply_set(edited, "material.paint.base_color_texture=none"));
     ASSERT_TRUE(apply_set(edited, "material.paint.emissive_texture=" + picture));
+    ASSERT_TRUE(apply_set(edited, "material.paint.height_texture=" + picture));
+    ASSERT_TRUE(apply_set(edited, "material.paint.height_scale_m=0.25"));
     for (const char* name : {"in/t.glb", "in/t.gltf"}) {
         save_as(source, scene, edited, folder / name);
         const Scene again = loaded((folder / name).string());
         EXPECT_FALSE(again.materials[0].texture(tables::TextureSlot::base_color_texture)) << name;
         EXPECT_TRUE(again.materials[0].texture(tables::TextureSlot::emissive_texture)) << name;
+        EXPECT_TRUE(again.materials[0].texture(tables::TextureSlot::height_texture)) << name;
+        EXPECT_EQ(again.materials[0].values.height_scale_m, 0.25F) << name;
     }
     EXPECT_EQ(text_of(folder / "in/t-1.png"), text_of(picture));
 }
@@ -232,7 +237,7 @@ void round_trip(const std::string& source, const TemporaryFolder& folder) {
         ASSERT_TRUE(apply_set(edited, "material.*.roughness=0.375"));
         ASSERT_TRUE(apply_set(edited, "material.*.base_color=0.5 0.25 0.125"));
     }
-    const bool is_glb = path_of(source)->extension() == ".glb";
+    const bool is_glb = file_of(source, builtin_scenes)->extension() == ".glb";
     const fs::path same = folder / (is_glb ? "same.glb" : "same.gltf");
     SCOPED_TRACE(source);
     save_as(source, file->scene, file->scene, same);
@@ -250,7 +255,7 @@ void round_trip(const std::string& source, const TemporaryFolder& folder) {
 }
 
 TEST(Save, EveryBundledSceneComesBackAsItWasSaved) {
-    for (const std::string& name : builtin_scene_names()) {
+    for (const std::string& name : builtin_names(builtin_scenes)) {
         const TemporaryFolder folder;
         round_trip("builtin:" + name, folder);
     }

@@ -107,6 +107,17 @@ TEST(SetPath, APictureFileBecomesATextureAndIsReadOnce) {
     EXPECT_EQ(changed.meshes[0].tangents.size(), changed.meshes[0].positions_m.size());
 }
 
+TEST(SetPath, ATextureThatComesAlongIsFoundByItsNameAndAMisspeltOneByTheNearest) {
+    Scene changed = with_mesh();
+    ASSERT_TRUE(apply_set(changed, "material.Body.001.fresnel_ramp_texture=builtin:gold_ramp"));
+    ASSERT_EQ(changed.images.size(), 1U);
+    EXPECT_EQ(changed.images[0].pixels->size, (math::Extent{64, 1}));
+    const auto refused =
+        apply_set(changed, "material.Body.001.fresnel_ramp_texture=builtin:gold_ram");
+    ASSERT_FALSE(refused);
+    EXPECT_NE(base::to_line(refused.error()).find("gold_ramp"), std::string::npos);
+}
+
 TEST(SetPath, APictureThatCannotBeUsedLeavesTheSceneAsItWas) {
     const support::TemporaryFolder folder;
     folder.write("text.png", "no picture");

@@ -1,7 +1,8 @@
 // The built program's studio without a display, worked by scripts as a person would work it.
 // SPDX-License-Identifier: MIT
-#include "base/file.h"
-#include "image/read.h"
+#include "scene/animation_fixture.h"
+#include "studio/run_script.h"
+#include "support/picture.h"
 #include "support/process.h"
 #include "support/temporary_folder.h"
 
@@ -14,6 +15,7 @@ namespace facet::studio {
 namespace {
 
 using support::facet;
+using support::picture;
 using support::Ran;
 using support::TemporaryFolder;
 using support::text_of;
@@ -24,22 +26,9 @@ constexpr std::uint32_t window_height = 640;
 
 Ran studio(const TemporaryFolder& folder, const std::string& script,
            std::vector<std::string> more = {}, const std::string& scene = "builtin:furnace") {
-    const std::string file = folder.write("script.txt", script).string();
-    std::vector<std::string> all{
-        "studio", scene,    "--offscreen", "--window", "960x640",    "--do", file,
-        "--env",  "studio", "--samples",   "2",        "--exposure", "1"};
+    std::vector<std::string> all{"--env", "studio", "--samples", "2", "--exposure", "1"};
     all.insert(all.end(), more.begin(), more.end());
-    return facet(all, {.folder = folder.path()});
-}
-
-image::Image picture(const std::filesystem::path& path) {
-    const auto bytes = base::read_file(path, 1U << 26U);
-    EXPECT_TRUE(bytes) << path;
-    if (!bytes) return {};
-    base::Warnings warnings;
-    auto image = image::decode(*bytes, {}, warnings);
-    EXPECT_TRUE(image) << path;
-    return image ? std::move(*image) : image::Image{};
+    return test::run_script(folder, scene, "960x640", script, all);
 }
 
 /// Share of the pixels within the box (shares of the window) that differ by more than `codes`.
@@ -186,6 +175,91 @@ TEST(Studio, OpensALessonAndGoesToItsViews) {
                                      picture(folder.path() / "b.png"), 0.3, 0.1, 0.7, 0.6);
         EXPECT_GT(share, 0.05) << "the view shows G, the picture before it light";
     }
+}
+
+/// A triangle that fills the view and goes away in a second.
+std::string film() {
+    test::Document d = test::triangle();
+    d.json["materials"] = {{{"doubleSided", true}}};
+    test::primitive(d)["material"] = 0;
+    test::animate(d, 0, 0, "translation", test::times(d, {0, 1}),
+                  d.floats("VEC3", 3, {0, 0, 0, 9, 0, 0}));
+    d.json["animations"][0]["name"] = "Leave";
+    return d.text();
+}
+
+TEST(Studio, AnAnimationIsChosenScrubbedAndPlayed) {
+    const TemporaryFolder folder;
+    folder.write("film.gltf", film());
+    const std::vector<std::string> front{"--camera", "orbit:azimuth=0,elevation=0,distance=3"};
+    const Ran ran = studio(folder, R"(
+click histogram
+wait
+shot still.png
+click animation
+click animation.Leave
+click histogram
+wait
+shot first.png
+drag time 0.9
+click histogram
+wait
+shot away.png
+undo
+click histogram
+wait
+shot undone.png
+click play
+wait 20
+click pause
+click histogram
+wait
+shot played.png
+)",
+                           front, "film.gltf");
+    ASSERT_EQ(ran.exit, 0) << ran.err;
+    const image::Image still = picture(folder / "still.png");
+    const image::Image first = picture(folder / "first.png");
+    const auto difference = [&](const char* name) {
+        return changed(first, picture(folder / name), 0.35, 0.15, 0.65, 0.6);
+    };
+    EXPECT_EQ(changed(first, still, 0.35, 0.15, 0.65, 0.6), 0.0);
+    EXPECT_GT(difference("away.png"), 0.1);
+    EXPECT_EQ(difference("undone.png"), 0.0);
+    EXPECT_GT(difference("played.png"), 0.05);
+}
+
+TEST(Studio, AVariantIsChosenAndUndone) {
+    const TemporaryFolder folder;
+    test::Document d = test::triangle();
+    d.json["extensionsUsed"] = {"KHR_materials_variants"};
+    d.json["extensions"]["KHR_materials_variants"]["variants"] = {{{"name", "green"}}};
+    d.json["materials"] = {
+        {{"name", "red"}, {"pbrMetallicRoughness", {{"baseColorFactor", {1, 0, 0, 1}}}}},
+        {{"name", "green"}, {"pbrMetallicRoughness", {{"baseColorFactor", {0, 1, 0, 1}}}}}};
+    test::primitive(d)["material"] = 0;
+    test::primitive(d)["extensions"]["KHR_materials_variants"]["mappings"] = {
+        {{"material", 1}, {"variants", {0}}}};
+    folder.write("shoe.gltf", d.text());
+    const Ran ran = studio(folder, R"(
+click histogram
+wait
+shot red.png
+click variant
+click variant.green
+click histogram
+wait
+shot green.png
+undo
+click histogram
+wait
+shot undone.png
+)",
+                           {"--camera", "orbit:azimuth=0,elevation=0,distance=3"}, "shoe.gltf");
+    ASSERT_EQ(ran.exit, 0) << ran.err;
+    const image::Image red = picture(folder / "red.png");
+    EXPECT_GT(changed(red, picture(folder / "green.png"), 0.35, 0.15, 0.65, 0.6), 0.1);
+    EXPECT_EQ(changed(red, picture(folder / "undone.png"), 0.35, 0.15, 0.65, 0.6), 0.0);
 }
 
 TEST(Studio, RefusesWhatCannotWorkInOneLine) {

@@ -5,6 +5,7 @@
 #include "scene/camera_spec.h"
 #include "studio/actions.h"
 #include "studio/analysis.h"
+#include "studio/input.h"
 #include "studio/orbit.h"
 #include "studio/script.h"
 #include "studio/texture_preview.h"
@@ -72,6 +73,37 @@ TEST(Orbit, FramingShowsEveryCorner) {
         EXPECT_LT(std::fabs(math::dot(from_eye, orbit.right())),
                   0.5F * depth * std::tan(0.5F * fov));
     }
+}
+
+TEST(MouseQueue, ADragBetweenTwoFramesIsHeldWhereItBeganAndLetGoWhereItEnded) {
+    const math::Vec2 start{10, 20};
+    const math::Vec2 end{90, 20};
+    const math::Vec2 now{5, 5};
+    MouseQueue mouse;
+    mouse.push(0, true, start);
+    mouse.push(0, false, end);
+    Input input;
+    const auto frame = [&] {
+        mouse.advance(input, now);
+        return std::pair(input.mouse_px, input.buttons[0]);
+    };
+    EXPECT_EQ(frame(), std::pair(start, true));
+    EXPECT_EQ(frame(), std::pair(end, true));
+    EXPECT_EQ(frame(), std::pair(end, false));
+    EXPECT_TRUE(mouse.is_empty());
+    EXPECT_EQ(frame(), std::pair(now, false));
+}
+
+TEST(MouseQueue, TwoClicksAreTwo) {
+    const math::Vec2 at{3, 4};
+    MouseQueue mouse;
+    for (const bool is_down : {true, false, true, false}) mouse.push(1, is_down, at);
+    Input input;
+    for (const bool is_down : {true, false, true, false}) {
+        mouse.advance(input, at);
+        EXPECT_EQ(input.buttons[1], is_down);
+    }
+    EXPECT_TRUE(mouse.is_empty());
 }
 
 TEST(Script, WordsInQuotesAreOneAndCommentsAreNone) {

@@ -26,6 +26,13 @@ struct PairOfDirections {
     }
 };
 
+/// The direction at that cosine to z and azimuth (radians).
+template <class Vector>
+Vector direction_of(double cosine, double phi) {
+    const double sine = std::sqrt((1 - cosine) * (1 + cosine));
+    return {sine * std::cos(phi), sine * std::sin(phi), cosine};
+}
+
 /// 2 pi integral of f(c) dc over c in [0, 1], by the midpoint rule in log(1 - c + 1e-9): points
 /// crowd at the pole, where normal distributions peak, as narrow as alpha 1e-3.
 template <class F>

@@ -37,8 +37,7 @@ inline image::Image picture(std::uint32_t height,
 inline BakedEnvironment bake(const image::Image& latlong, float rotation_deg = 0.0F,
                              float intensity = 1.0F) {
     base::ThreadPool pool(2);
-    base::Warnings warnings;
-    return bake_environment(latlong, rotation_deg, intensity, pool, warnings);
+    return bake_environment(latlong, rotation_deg, intensity, pool);
 }
 
 inline Vec3 texel(const BakedEnvironment& baked, std::size_t level, std::size_t face,

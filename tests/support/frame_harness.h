@@ -67,6 +67,7 @@ public:
                                           {.picture = shot.size,
                                            .region = {0, 0, shot.size},
                                            .emissive = scene->emits,
+                                           .specular = scene->has_specular,
                                            .aovs = shot.earlier_aovs.value_or(shot.aovs)});
         if (!frame) return tl::unexpected(frame.error());
         const frame::PackedLights lights = frame::pack_lights(shot.scene.lights, false);

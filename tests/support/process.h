@@ -61,6 +61,8 @@ inline void drain(int out, int err, Ran& ran) {
     std::vector<char*> arguments;
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);
+    // Not the caches of whoever runs the tests.
+    ::setenv("XDG_CACHE_HOME", FACET_BINARY_DIR "/test-cache", 1);
     for (const std::string& variable : options.environment) {
         const std::size_t equals = variable.find('=');
         ::setenv(variable.substr(0, equals).c_str(), variable.substr(equals + 1).c_str(), 1);

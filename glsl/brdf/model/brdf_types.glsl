@@ -1,12 +1,14 @@
 // What a model of the BRDF takes and gives. Terms are chosen through the slot_ functions, which are switches in
 // C++ and generated one-liners in GLSL.
 struct BrdfSurface {
-    real3 base_color;   // [0, 1] linear Rec.709: albedo of dielectrics, F0 of metals
+    real3 base_color;   // [0, 1] linear Rec.709: albedo of dielectrics
+    real3 metal_f0;     // [0, 1] reflectance of metals at normal incidence: base_color, or what a film makes of it
     real metallic;      // [0, 1]
     real roughness;     // [0, 1] perceptual
     real alpha;         // (0, 1] width of the distribution
     real3 dielectric_f0; // [0, 1] reflectance at normal incidence of what is no metal
     real specular;      // [0, 1] strength of its reflection, at every angle (KHR_materials_specular)
+    real diffuse;       // [0, 1] share of what is not reflected that the diffuse lobe gets (transmission.glsl)
     real3 edge_tint;    // [0, 1] F82's tint at 82 degrees; 1 is Schlick
 };
 // One lobe a member, 1/sr per light; weights of irradiance/pi and prefiltered radiance for the environment.
@@ -43,11 +45,13 @@ struct BrdfView {
 BrdfSurface brdf_surface(real3 base_color, real metallic, real roughness) {
     BrdfSurface s;
     s.base_color = base_color;
+    s.metal_f0 = base_color;
     s.metallic = metallic;
     s.roughness = roughness;
     s.alpha = slot_width(roughness);
     s.dielectric_f0 = real3(DIELECTRIC_F0);
     s.specular = real(1.0);
+    s.diffuse = real(1.0);
     s.edge_tint = real3(real(1.0));
     return s;
 }

@@ -7,7 +7,7 @@
 
 BrdfView conserving_view(BrdfView view) {
     real3 f0_d = view.surface.dielectric_f0;
-    real3 f0_m = view.surface.base_color;
+    real3 f0_m = view.surface.metal_f0;
     real metal = view.surface.metallic;
     real dielectric = real(1.0) - metal;
     real specular = view.surface.specular;
@@ -26,7 +26,7 @@ BrdfView conserving_view(BrdfView view) {
 // returns  factor on D V: Fresnel reflectance of both lobes, weighted
 real3 conserving_specular_share(BrdfView view, real v_dot_h) {
     real3 f_d = slot_fresnel(view.surface.dielectric_f0, real3(real(1.0)), v_dot_h);
-    real3 f_m = slot_fresnel(view.surface.base_color, view.surface.edge_tint, v_dot_h);
+    real3 f_m = slot_fresnel(view.surface.metal_f0, view.surface.edge_tint, v_dot_h);
     return f_d * view.dielectric_weight + f_m * view.metal_weight;
 }
 
@@ -34,7 +34,7 @@ real3 conserving_specular_share(BrdfView view, real v_dot_h) {
 // e_l       [0, 1] albedo of the specular lobe at n.l with F = 1; used by Kulla-Conty only
 BrdfValue conserving_light(BrdfView view, real d_v, real3 diffuse, real v_dot_h, real e_l) {
     BrdfValue value;
-    value.diffuse = diffuse * view.k_d;
+    value.diffuse = diffuse * (view.k_d * view.surface.diffuse);
     value.specular = conserving_specular_share(view, v_dot_h) * d_v +
                      view.added * slot_added_shape(e_l, view.e_average);
     return value;
@@ -44,8 +44,8 @@ BrdfValue conserving_light(BrdfView view, real d_v, real3 diffuse, real v_dot_h,
 BrdfValue conserving_environment(BrdfView view) {
     real3 f0_d = view.surface.dielectric_f0;
     BrdfValue weight;
-    weight.diffuse = view.diffuse_albedo * view.k_d + view.added;
+    weight.diffuse = view.diffuse_albedo * (view.k_d * view.surface.diffuse) + view.added;
     weight.specular = (f0_d * view.a + real3(view.b)) * view.dielectric_weight +
-                      (view.surface.base_color * view.a + real3(view.b)) * view.metal_weight;
+                      (view.surface.metal_f0 * view.a + real3(view.b)) * view.metal_weight;
     return weight;
 }

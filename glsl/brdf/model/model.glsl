@@ -19,15 +19,25 @@ BrdfView brdf_view(BrdfSurface s, real n_dot_v, real4 albedo) {
     return view;
 }
 
+// returns  [1/sr]  D V of the terms chosen
+real brdf_d_v(BrdfView view, real n_dot_l, real n_dot_h) {
+    BrdfSurface s = view.surface;
+    return slot_distribution(n_dot_h, s.alpha) * slot_masking(view.n_dot_v, n_dot_l, s.roughness, s.alpha);
+}
+
+// brdf_light with another D V.
+BrdfValue brdf_light_of(BrdfView view, real d_v, real n_dot_l, real v_dot_h, real e_l) {
+    BrdfSurface s = view.surface;
+    real3 diffuse = slot_diffuse(s.base_color, s.roughness, view.n_dot_v, n_dot_l, v_dot_h);
+    if (slot_conserves()) return conserving_light(view, d_v, diffuse, v_dot_h, e_l);
+    return cook_torrance_light(view, d_v, diffuse, v_dot_h);
+}
+
 // n_dot_l, n_dot_h, v_dot_h  [0, 1]
 // e_l                        [0, 1] A + B at n_dot_l where FACET_BRDF_NEEDS_E_L is 1; else not used
 // returns                    [1/sr] without the cosine
 BrdfValue brdf_light(BrdfView view, real n_dot_l, real n_dot_h, real v_dot_h, real e_l) {
-    BrdfSurface s = view.surface;
-    real d_v = slot_distribution(n_dot_h, s.alpha) * slot_masking(view.n_dot_v, n_dot_l, s.roughness, s.alpha);
-    real3 diffuse = slot_diffuse(s.base_color, s.roughness, view.n_dot_v, n_dot_l, v_dot_h);
-    if (slot_conserves()) return conserving_light(view, d_v, diffuse, v_dot_h, e_l);
-    return cook_torrance_light(view, d_v, diffuse, v_dot_h);
+    return brdf_light_of(view, brdf_d_v(view, n_dot_l, n_dot_h), n_dot_l, v_dot_h, e_l);
 }
 
 // What brdf_light's value is made of. G = 4 n.v n.l V; F is of the mixed F0 in either model, as `facet brdf` asks it.
@@ -45,6 +55,12 @@ BrdfTerms brdf_terms(BrdfView view, real n_dot_l, real n_dot_h, real v_dot_h) {
         terms.k_s = terms.f;
     }
     return terms;
+}
+
+// returns  [0, 1] rgb  k_d: what the specular lobe leaves of light from everywhere, before it is shared out
+real3 brdf_left(BrdfView view) {
+    if (slot_conserves()) return real3(view.k_d);
+    return cook_torrance_left_around(view) * (real(1.0) - view.surface.metallic);
 }
 
 // Split sum: (1/N) sum(L f cos / p) ~ irradiance / pi * diffuse + prefiltered radiance * specular   Karis 2013, Eq. 7

@@ -41,3 +41,17 @@ real3 brdf_mirror(BrdfView view) {
     if (slot_conserves()) return conserving_light(view, real(1.0), none, view.n_dot_v, real(1.0)).specular;
     return cook_torrance_light(view, real(1.0), none, view.n_dot_v).specular;
 }
+
+// Through a rough surface: density of the lights that refracted() finds for the half vectors of slot_sample_half.
+//   p(l) = p(h) eta^2 |l.h| / (v.h + eta l.h)^2                                   Walter et al. 2007, Eq. 17
+// v, l     unit      in the frame of the normal, v.z > 0, l.z < 0
+// returns  [1/sr]    0 where no facet bends l to v
+real pdf_through(real3 v, real3 l, real eta, real alpha) {
+    real3 h = half_through(v, l, eta);
+    real v_dot_h = dot(v, h);
+    real l_dot_h = dot(l, h);
+    if (v_dot_h <= real(0.0) || l_dot_h >= real(0.0) || h.z <= real(0.0)) return real(0.0);
+    real bent = v_dot_h + eta * l_dot_h;
+    real p_h = slot_pdf_reflected(v.z, h.z, v_dot_h, alpha) * real(4.0) * v_dot_h;
+    return p_h * eta * eta * (-l_dot_h) / max(bent * bent, DIVISOR_MIN);
+}

@@ -32,6 +32,8 @@ void explain_begin(uint stage, uint draw, uint primitive) {
     explained.prefiltered = vec4(0.0);
     explained.coat = vec4(0.0);
     explained.sheen = vec4(0.0);
+    explained.far_nit = vec4(0.0);
+    explained.far_weight = vec4(0.0);
 }
 
 void explain_end() {

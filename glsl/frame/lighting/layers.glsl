@@ -1,4 +1,31 @@
-// The layers over a surface as shade.glsl lights them; glsl/brdf/model/layers.glsl.
+// What few surfaces have, as shade.glsl lights them: layers (glsl/brdf/model/layers.glsl) and highlights that are wider one way.
+#if FACET_ANISOTROPY
+// To the tangent's frame.
+mat3 stretched_frame(ShadePoint p) {
+    return transpose(mat3(p.surface.tangent, cross(p.surface.normal, p.surface.tangent), p.surface.normal));
+}
+float stretched_d_v(ShadePoint p, vec3 to_light, vec3 h, BrdfView brdf) {
+    mat3 local = stretched_frame(p);
+    vec2 alpha = anisotropic_alpha(brdf.surface.alpha, p.surface.anisotropy);
+    vec3 v = local * p.to_eye;
+    vec3 l = local * to_light;
+    return anisotropic_d_v(vec3(v.xy, max(v.z, N_DOT_V_MIN)), vec3(l.xy, max(l.z, 0.0)), local * h, alpha);
+}
+#endif
+
+// What the environment is mirrored about: bent so that what is seen is spread as a long highlight is.
+vec3 mirroring_normal(ShadePoint p) {
+#if FACET_ANISOTROPY
+    vec3 across = cross(p.surface.normal, p.surface.tangent);
+    vec3 bent = cross(cross(across, p.to_eye), across);
+    float round = 1.0 - p.surface.anisotropy * (1.0 - p.surface.roughness);
+    round *= round;
+    return normalize(mix(bent, p.surface.normal, round * round));
+#else
+    return p.surface.normal;
+#endif
+}
+
 #if FACET_CLEARCOAT
 struct CoatPoint {
     BrdfCoat brdf;
@@ -77,4 +104,13 @@ float coat_albedo() {
 #else
     return 0.0;
 #endif
+}
+
+// Of the light, by coat and fibres, for the base.
+float left_by_layers() {
+    float left = 1.0 - coat_albedo();
+#if FACET_SHEEN
+    left *= sheen.left;
+#endif
+    return left;
 }

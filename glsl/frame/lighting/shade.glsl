@@ -47,6 +47,7 @@ const uint TILE_PX = 16u;
 #endif
 
 #include "frame/lighting/environment.glsl"
+#include "frame/lighting/far_side.glsl"
 
 #if FACET_LIGHT_PATHS
 bool is_environments = false;  // the light at hand is the environment's sun
@@ -63,12 +64,16 @@ vec3 lit_by(ShadePoint p, BrdfView brdf, vec3 to_light, vec3 illuminance, float 
     vec3 h = sum * inversesqrt(max(dot(sum, sum), 1e-12));
     float n_dot_h = clamp(dot(p.surface.normal, h), 0.0, 1.0);
     float v_dot_h = clamp(dot(p.to_eye, h), 0.0, 1.0);
+    float e_l = 1.0;
 #if FACET_BRDF_NEEDS_E_L
     vec2 at = albedo_coordinates(n_dot_l, max(p.surface.roughness, ROUGHNESS_MIN));
     vec2 a_b = textureLod(albedo_table, at, 0.0).xy;
-    BrdfValue f = brdf_light(brdf, n_dot_l, n_dot_h, v_dot_h, a_b.x + a_b.y);
+    e_l = a_b.x + a_b.y;
+#endif
+#if FACET_ANISOTROPY
+    BrdfValue f = brdf_light_of(brdf, stretched_d_v(p, to_light, h, brdf), n_dot_l, v_dot_h, e_l);
 #else
-    BrdfValue f = brdf_light(brdf, n_dot_l, n_dot_h, v_dot_h, 1.0);
+    BrdfValue f = brdf_light(brdf, n_dot_l, n_dot_h, v_dot_h, e_l);
 #endif
     float mirrored = has_size || p.surface.roughness >= MIRROR_ROUGHNESS ? 1.0 : 0.0;
     f.specular *= mirrored;
@@ -91,7 +96,7 @@ vec3 lit_by(ShadePoint p, BrdfView brdf, vec3 to_light, vec3 illuminance, float 
         paths.specular_direct += f.specular * arriving;
     }
 #endif
-    return (f.diffuse + f.specular) * arriving;
+    return (f.diffuse + f.specular) * arriving + far_light(p, brdf, to_light, illuminance);
 }
 
 #if FACET_AREA_LIGHTS
@@ -157,7 +162,28 @@ vec3 shade(ShadePoint p) {
     surface.dielectric_f0 = p.surface.dielectric_f0;
     surface.specular = p.surface.specular;
 #endif
-    vec4 albedo = textureLod(albedo_table, albedo_coordinates(n_dot_v, surface.roughness), 0.0);
+    vec2 seen = vec2(n_dot_v, surface.roughness);
+#if FACET_ANISOTROPY
+    seen = anisotropic_view(stretched_frame(p) * p.to_eye, anisotropic_alpha(surface.alpha, p.surface.anisotropy));
+#endif
+#if FACET_FRESNEL_RAMP_TEXTURE
+    float ramp_half_texel = 0.5 / float(textureSize(fresnel_ramp_texture, 0).x);
+    vec2 ramp_at = vec2(clamp(n_dot_v, ramp_half_texel, 1.0 - ramp_half_texel), 0.5);
+    vec3 ramp = textureLod(fresnel_ramp_texture, ramp_at, 0.0).rgb;
+    surface.dielectric_f0 = f0_of_reflectance(ramp, surface.dielectric_f0, n_dot_v);
+    surface.metal_f0 = f0_of_reflectance(ramp, surface.metal_f0, n_dot_v);
+#endif
+#if FACET_IRIDESCENCE
+    surface.dielectric_f0 = thin_film_f0(surface.dielectric_f0, p.surface.film, p.surface.film_ior, p.surface.film_nm, n_dot_v);
+    surface.metal_f0 = thin_film_f0(surface.metal_f0, p.surface.film, p.surface.film_ior, p.surface.film_nm, n_dot_v);
+#endif
+#if FACET_TRANSMISSION
+    surface.diffuse *= 1.0 - p.surface.transmission;
+#endif
+#if FACET_DIFFUSE_TRANSMISSION
+    surface.diffuse *= 1.0 - p.surface.far_share;
+#endif
+    vec4 albedo = textureLod(albedo_table, albedo_coordinates(seen.x, seen.y), 0.0);
     BrdfView brdf = brdf_view(surface, n_dot_v, albedo);
     set_layers(p, n_dot_v);
 
@@ -204,7 +230,7 @@ vec3 shade(ShadePoint p) {
     vec4 occlusion = vec4(p.surface.normal, 1.0);
     float ao = p.surface.ao;
 #endif
-    vec3 prefiltered = mirrored_environment(p, p.surface.normal, p.surface.roughness, w, occlusion);
+    vec3 prefiltered = mirrored_environment(p, mirroring_normal(p), p.surface.roughness, w, occlusion);
 #if FACET_CLEARCOAT
     vec3 on_coat = mirrored_environment(p, p.surface.coat_normal, p.surface.coat_roughness, w, occlusion);
     prefiltered = with_coat(w, prefiltered, on_coat);
@@ -222,6 +248,21 @@ vec3 shade(ShadePoint p) {
 #if FACET_LIGHT_PATHS
     paths.diffuse_indirect = w.diffuse * irradiance * ao;
     paths.specular_indirect = w.specular * prefiltered * ao;
+#endif
+#endif
+#if FACET_FAR_SIDE
+    vec3 far = far_around(p, brdf);
+    radiance += far;
+#if FACET_LIGHT_PATHS
+    BrdfValue far_share = far_weight(p, brdf);
+    vec3 far_diffuse = far * far_share.diffuse / max(far_share.diffuse + far_share.specular, vec3(1e-20));
+    paths.diffuse_indirect += far_diffuse;
+    paths.specular_indirect += far - far_diffuse;
+#endif
+#ifdef FACET_EXPLAIN
+    explained.far_nit = vec4(far, 0.0);
+    BrdfValue through = far_weight(p, brdf);
+    explained.far_weight = vec4(through.diffuse + through.specular, 0.0);
 #endif
 #endif
     for (uint i = 0u; i < view.light_counts.x; ++i) {

@@ -17,8 +17,6 @@
 namespace facet::frame {
 namespace {
 
-constexpr std::uint32_t face_min_px = 128;  // five levels: fewer would show between two roughnesses
-constexpr std::uint32_t face_max_px = 1024;  // 50 MB of half floats
 // At 4 the edge of a half-sphere lobe around a sun shows as steps.
 constexpr std::uint32_t last_level_px = 8;
 
@@ -60,28 +58,35 @@ std::vector<std::uint16_t> halves_of(const CubeMip& mip) {
 
 }  // namespace
 
+std::uint32_t baked_level_count(std::uint32_t face_px) {
+    return static_cast<std::uint32_t>(std::countr_zero(face_px / last_level_px)) + 1;
+}
+
+void warn_of(const BakedEnvironment& baked, base::Warnings& warnings) {
+    if (!baked.overflowed) return;
+    warnings.push_back(
+        {.file = {},
+         .where = "environment",
+         .what = "radiance above the largest half float is cut in reflections",
+         .found = fmt::format("more than {:.0f} nit", math::half_max * baked.unit_nit),
+         .remedy = "lower --env-intensity"});
+}
+
 BakedEnvironment bake_environment(const image::Image& latlong, float rotation_deg, float intensity,
-                                  base::ThreadPool& pool, base::Warnings& warnings) {
+                                  base::ThreadPool& pool) {
     BakedEnvironment out;
     // 256 for 1024x512: at a face's middle its texels are 1.3 pixels of the picture, at its corners
     // 0.6.
-    const std::uint32_t wanted = std::clamp(latlong.size.height / 2, face_min_px, face_max_px);
+    const std::uint32_t wanted =
+        std::clamp(latlong.size.height / 2, baked_face_min_px, baked_face_max_px);
     out.face_px = std::bit_ceil(wanted);
     out.unit_nit = unit_for(latlong, intensity);
     const Panorama panorama = make_panorama(latlong, intensity / out.unit_nit, pool);
     out.irradiance = halves_of(
         irradiance_over_pi(panorama, rotation_deg, BakedEnvironment::irradiance_px, pool));
     CubePyramid pyramid = make_cube_pyramid(panorama, out.face_px, rotation_deg, pool);
-    if (pyramid.overflowed)
-        warnings.push_back(
-            {.file = {},
-             .where = "environment",
-             .what = "radiance above the largest half float is cut in reflections",
-             .found = fmt::format("more than {:.0f} nit", math::half_max * out.unit_nit),
-             .remedy = "lower --env-intensity"});
-    const auto levels =
-        static_cast<std::uint32_t>(std::countr_zero(out.face_px / last_level_px)) + 1;
-    std::vector<CubeMip> maps = prefilter(pyramid, levels, pool);
+    out.overflowed = pyramid.overflowed;
+    std::vector<CubeMip> maps = prefilter(pyramid, baked_level_count(out.face_px), pool);
     for (const CubeMip& map : maps) out.radiance.push_back(halves_of(map));
     maps.erase(maps.begin(), maps.begin() + BakedEnvironment::first_kept - 1);
     out.kept = std::move(maps);

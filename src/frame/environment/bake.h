@@ -27,13 +27,21 @@ struct BakedEnvironment {
     std::vector<CubeMip> kept;
     static constexpr std::size_t first_kept = 2;
     float unit_nit = 1.0F;  ///< what 1 in all of them is: a power of two, 1 but for blinding light
+    bool overflowed = false;  ///< level 0 was cut to the largest half float
 };
 
+/// Of faces of level 0, a power of two. Fewer than five levels would show between two roughnesses;
+/// 1024 are 50 MB of half floats.
+inline constexpr std::uint32_t baked_face_min_px = 128;
+inline constexpr std::uint32_t baked_face_max_px = 1024;
+/// How many levels such a face has.
+[[nodiscard]] std::uint32_t baked_level_count(std::uint32_t face_px);
+
 /// Bakes `latlong` ([h, w, 3] f32, nit) turned counter-clockwise (seen from above) by
-/// `rotation_deg` and multiplied by `intensity`. Same bytes for any thread count. Adds a warning
-/// where half floats overflow.
+/// `rotation_deg` and multiplied by `intensity`. Same bytes for any thread count.
 [[nodiscard]] BakedEnvironment bake_environment(const image::Image& latlong, float rotation_deg,
-                                                float intensity, base::ThreadPool& pool,
-                                                base::Warnings& warnings);
+                                                float intensity, base::ThreadPool& pool);
+/// What the user should know of it.
+void warn_of(const BakedEnvironment& baked, base::Warnings& warnings);
 
 }  // namespace facet::frame

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "frame/environment/environment_maps.h"
 
-#include "frame/environment/bake.h"
+#include "frame/environment/baked_file.h"
 
 #include <algorithm>
 #include <cmath>
@@ -67,8 +67,7 @@ base::Result<EnvironmentMaps> upload_environment(const gl::Context& gl,
     const auto pixels = latlong.as<float>();
     out.is_black = settings.intensity == 0.0F ||
                    std::all_of(pixels.begin(), pixels.end(), [](float x) { return x == 0.0F; });
-    auto baked =
-        bake_environment(latlong, settings.rotation_deg, settings.intensity, pool, warnings);
+    auto baked = baked_environment(latlong, settings, pool, warnings);
     out.unit_nit = baked.unit_nit;
     out.kept = std::move(baked.kept);
     out.last_level = static_cast<float>(baked.radiance.size() - 1);

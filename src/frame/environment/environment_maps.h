@@ -9,6 +9,7 @@
 #include "scene/environment.h"
 #include "scene/scene.h"
 
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <vector>
@@ -41,6 +42,7 @@ struct EnvironmentMaps {
 struct EnvironmentSettings {
     float rotation_deg = 0.0F;
     float intensity = 1.0F;
+    std::filesystem::path cache_folder{};  ///< where what is baked is kept; empty: nowhere
 };
 
 /// Bakes and uploads. `table`: RGBA f32 [size, size, 4].

@@ -92,7 +92,7 @@ base::Result<Explainer::Records> Explainer::record(const gl::Context& gl, const 
         const std::size_t row = size.height - 1 - pixels[i].y;
         asked[head + row * size.width + pixels[i].x] = static_cast<std::uint32_t>(i + 1);
     }
-    if (index == 0) {
+    if (index == 0 || in.has_moved) {
         // Surfaces at the pixels' middles are none that a sample shows.
         asked_ = gl::make_buffer(gl, std::vector<std::byte>(asked.size() * sizeof(asked[0])));
         gl.api().BindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, asked_.name());

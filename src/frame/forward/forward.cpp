@@ -12,7 +12,7 @@ base::Result<gl::Program> ForwardPass::make(const gl::Context& gl, const Key& ke
     if (!program) return program;
     gl::bind_block(gl, *program, "ViewBlock", view_binding);
     gl::bind_block(gl, *program, "DrawBlock", draw_binding);
-    bind_material_samplers(gl, *program);
+    bind_material_samplers(gl, *program, key.material);
     set_shade_samplers(gl, *program);
     return program;
 }

@@ -3,12 +3,29 @@
 #include "frame/gbuffer/gbuffer.h"
 
 #include "frame/shared.h"
+#include "frame/texture_units.h"
 
 #include <spdlog/fmt/fmt.h>
 
 #include <array>
 
 namespace facet::frame {
+
+namespace {
+
+/// Calls of(slot, texture unit) for what a material looks up: the units before shading's, and
+/// after.
+template <class Of>
+void for_each_texture(const MaterialKey& key, const Of& of) {
+    GLuint unit = 0;
+    for (std::size_t slot = 0; slot < tables::material_textures.size(); ++slot) {
+        if (!key.has(static_cast<tables::TextureSlot>(slot))) continue;
+        of(slot, unit);
+        unit = unit + 1 == first_shade_unit ? end_of_shade_units : unit + 1;
+    }
+}
+
+}  // namespace
 
 base::Result<GBuffer> GBuffer::create(const gl::Context& gl, const GBufferSpec& spec) {
     GBuffer out;
@@ -67,7 +84,7 @@ base::Result<gl::Program> GBufferPass::make(const gl::Context& gl, const Key& ke
     if (!program) return program;
     gl::bind_block(gl, *program, "ViewBlock", view_binding);
     gl::bind_block(gl, *program, "DrawBlock", draw_binding);
-    bind_material_samplers(gl, *program);
+    bind_material_samplers(gl, *program, key.material);
     return program;
 }
 
@@ -101,18 +118,21 @@ base::Status GBufferPass::run(const gl::Context& gl, const GpuScene& scene,
     return {};
 }
 
-void bind_material_samplers(const gl::Context& gl, const gl::Program& program) {
-    for (std::size_t slot = 0; slot < tables::material_textures.size(); ++slot)
+void bind_material_samplers(const gl::Context& gl, const gl::Program& program,
+                            const MaterialKey& key) {
+    for_each_texture(key, [&](std::size_t slot, GLuint unit) {
         gl::bind_sampler(gl, program, tables::material_textures[slot].key.data(),
-                         static_cast<GLint>(slot));
+                         static_cast<GLint>(unit));
+    });
 }
 
 void draw_instance(const gl::Context& gl, const GpuScene& scene, const Draw& draw) {
     const gl::Api& api = gl.api();
-    for (std::size_t slot = 0; slot < draw.textures.size(); ++slot)
+    for_each_texture(draw.key, [&](std::size_t slot, GLuint unit) {
         if (draw.textures[slot].texture != nullptr)
-            gl::bind_texture(gl, static_cast<GLuint>(slot), GL_TEXTURE_2D,
-                             *draw.textures[slot].texture, draw.textures[slot].sampler);
+            gl::bind_texture(gl, unit, GL_TEXTURE_2D, *draw.textures[slot].texture,
+                             draw.textures[slot].sampler);
+    });
     api.BindBufferRange(GL_UNIFORM_BUFFER, draw_binding, scene.draw_blocks.name(),
                         static_cast<GLintptr>(draw.block_offset), sizeof(shared::Draw));
     api.DrawElementsBaseVertex(

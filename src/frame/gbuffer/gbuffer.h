@@ -73,8 +73,9 @@ private:
     Permutations<Key> programs_;
 };
 
-/// Units of the material's textures, in the order of tables::material_textures.
-void bind_material_samplers(const gl::Context& gl, const gl::Program& program);
+/// Units of the textures that materials of this key look up.
+void bind_material_samplers(const gl::Context& gl, const gl::Program& program,
+                            const MaterialKey& key);
 /// Binds a draw's textures and uniform block, and draws its triangles.
 void draw_instance(const gl::Context& gl, const GpuScene& scene, const Draw& draw);
 

@@ -4,6 +4,7 @@
 
 #include "brdf/ltc.h"
 #include "brdf/sheen.h"
+#include "frame/texture_units.h"
 
 #include <spdlog/fmt/fmt.h>
 
@@ -12,9 +13,9 @@
 namespace facet::frame {
 namespace {
 
-/// Units after those of a material's textures, so that blend can bind both.
+/// Of shade.glsl's samplers.
 enum Unit : GLuint {
-    cube_unit = tables::material_textures.size(),  // blended surfaces have theirs before
+    cube_unit = first_shade_unit,
     irradiance_unit,
     table_unit,
     lights_unit,
@@ -32,9 +33,11 @@ enum Unit : GLuint {
     profiles_unit,
     sample_diffuse_unit,
     sample_specular_unit,
-    sheen_unit
+    sheen_unit,
+    far_unit
 };
-/// Units of the G-buffer, where the material's are otherwise.
+static_assert(far_unit < end_of_shade_units);
+/// Units of the G-buffer.
 enum GBufferUnit : GLuint {
     albedo_unit = 0,
     normal_unit,
@@ -43,7 +46,7 @@ enum GBufferUnit : GLuint {
     emissive_unit,
     reflection_unit
 };
-static_assert(GLuint{reflection_unit} < GLuint{cube_unit});
+static_assert(GLuint{reflection_unit} < first_shade_unit);
 
 base::Result<gl::Program> make(const gl::Context& gl, const gl::ShaderSources& sources,
                                const ShadeKey& shade, bool emissive, bool specular) {
@@ -142,6 +145,7 @@ void set_shade_samplers(const gl::Context& gl, const gl::Program& program) {
     gl::bind_sampler(gl, program, "sample_diffuse", sample_diffuse_unit);
     gl::bind_sampler(gl, program, "sample_specular", sample_specular_unit);
     gl::bind_sampler(gl, program, "sheen_table", sheen_unit);
+    gl::bind_sampler(gl, program, "sample_far", far_unit);
 }
 
 void bind_shade_textures(const gl::Context& gl, const ShadeInputs& in) {
@@ -177,6 +181,8 @@ void bind_shade_textures(const gl::Context& gl, const ShadeInputs& in) {
     if (!in.key.sample_light) return;
     gl::bind_texture(gl, sample_diffuse_unit, GL_TEXTURE_2D, in.rays.sample_diffuse, nullptr);
     gl::bind_texture(gl, sample_specular_unit, GL_TEXTURE_2D, in.rays.sample_specular, nullptr);
+    if (in.rays.far_size == in.rays.sample_size)
+        gl::bind_texture(gl, far_unit, GL_TEXTURE_2D, in.rays.sample_far, nullptr);
 }
 
 base::Result<RadianceTarget> RadianceTarget::create(const gl::Context& gl, math::Extent size,

@@ -117,7 +117,8 @@ base::Status update_sample_light(const gl::Context& gl, const SampleLight& light
         gl::upload(gl, *texture, spec, 0, 0, {GL_RGBA, GL_FLOAT}, std::as_bytes(values));
     }
     out.sample_size = size;
-    return {};
+    return light.far.empty() ? base::Status{}
+                             : update_texture(gl, size, light.far, out.far_size, out.sample_far);
 }
 
 void update_visibility(const gl::Context& gl, const PackedLights& lights, const LightLists* lists,

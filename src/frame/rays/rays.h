@@ -52,6 +52,7 @@ struct IndirectLight {
 struct SampleLight {
     std::span<const math::Vec4> diffuse;   ///< rgb: irradiance / pi in nit
     std::span<const math::Vec4> specular;  ///< rgb: as IndirectLight's
+    std::span<const math::Vec4> far;       ///< rgb: nit, from the far side, weighted; may be empty
 };
 
 /// Which lights may reach a tile, by packed index: those that reach every tile first.
@@ -83,8 +84,9 @@ public:
 /// What rays found, on the GL.
 struct RayTextures {
     gl::Texture sky, rest, specular, guide, ground;
-    gl::Texture sample_diffuse, sample_specular;
+    gl::Texture sample_diffuse, sample_specular, sample_far;
     math::Extent sample_size;
+    math::Extent far_size;
     gl::Buffer visibility;
     gl::Texture visibility_texture;
     std::uint32_t slots = 0;   ///< of visibility

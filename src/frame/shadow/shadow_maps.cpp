@@ -48,15 +48,15 @@ base::Status ShadowPass::make_targets(const gl::Context& gl) {
     return {};
 }
 
-base::Status ShadowPass::draw(const gl::Context& gl, const GpuScene& scene,
-                              const ShadowView& view) {
+base::Status ShadowPass::draw(const gl::Context& gl, const GpuScene& scene, const ShadowView& view,
+                              std::size_t light) {
     shared::View block{};
     block.clip_from_world = view.clip_from_world;
     gl::update_buffer(gl, view_block_, std::as_bytes(std::span(&block, 1)));
     gl.api().BindBufferBase(GL_UNIFORM_BUFFER, view_binding, view_block_.name());
     const gl::Program* current = nullptr;
     for (const Draw& draw : scene.draws) {
-        if (draw.blended) continue;
+        if (draw.blended || draw.light == light) continue;
         // Only a mask's holes need the material.
         const MaterialKey key = draw.key.alpha_mask ? draw.key : MaterialKey{};
         const auto program =
@@ -68,7 +68,7 @@ base::Status ShadowPass::draw(const gl::Context& gl, const GpuScene& scene,
                 if (!made) return made;
                 gl::bind_block(gl, *made, "ViewBlock", view_binding);
                 gl::bind_block(gl, *made, "DrawBlock", draw_binding);
-                bind_material_samplers(gl, *made);
+                bind_material_samplers(gl, *made, k);
                 return made;
             });
         if (!program) return tl::unexpected(program.error());
@@ -83,7 +83,8 @@ base::Status ShadowPass::draw(const gl::Context& gl, const GpuScene& scene,
     return {};
 }
 
-base::Status ShadowPass::run(const gl::Context& gl, const GpuScene& scene, const ShadowPlan& plan) {
+base::Status ShadowPass::run(const gl::Context& gl, const GpuScene& scene, const ShadowPlan& plan,
+                             std::span<const std::size_t> light_order) {
     if (auto made = make_targets(gl); !made) return made;
     const gl::Api& api = gl.api();
     const std::vector<Vec4> texels = texels_of(plan);
@@ -99,7 +100,8 @@ base::Status ShadowPass::run(const gl::Context& gl, const GpuScene& scene, const
         const auto tile = static_cast<GLint>(i);
         const auto across = static_cast<GLint>(plan.across);
         api.Viewport(tile % across * map_px, tile / across * map_px, map_px, map_px);
-        if (auto drawn = draw(gl, scene, plan.views[i]); !drawn) return drawn;
+        const ShadowView& view = plan.views[i];
+        if (auto drawn = draw(gl, scene, view, light_order[view.light]); !drawn) return drawn;
     }
     return {};
 }

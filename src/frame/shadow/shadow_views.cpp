@@ -204,6 +204,8 @@ ShadowPlan plan_shadow_views(std::span<const Light> lights, const scene::Camera&
         else
             for (std::uint32_t c = 0; c < cascades; ++c)
                 plan.views.push_back(parallel(lights[i], slices[c], scene, map_px));
+        for (std::uint32_t v = plan.casters[i].first; v < plan.views.size(); ++v)
+            plan.views[v].light = i;
     }
     return plan;
 }

@@ -21,6 +21,7 @@ struct ShadowView {
     float far_m = 0.0F;
     /// Share of the map's width that a metre fills: at one metre, or of parallel light anywhere.
     float width_per_m = 0.0F;
+    std::size_t light = 0;  ///< among those that have shadows
 };
 
 enum class ShadowKind : std::uint8_t { none, parallel, cone, cube };

@@ -6,9 +6,10 @@
 #include "frame/upload/upload_meshes.h"
 #include "frame/upload/upload_textures.h"
 #include "scene/dielectric.h"
-#include "scene/layers.h"
+#include "scene/lobes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <numeric>
 
@@ -53,6 +54,14 @@ shared::Draw block_of(const scene::Instance& instance, const scene::Material& ma
     block.dielectric_f0_specular = Vec4(scene::dielectric_f0(v), v.specular);
     block.coat = {v.clearcoat, v.clearcoat_roughness, v.clearcoat_normal_scale, 0.0F};
     block.sheen = Vec4(v.sheen_color, v.sheen_roughness);
+    block.transmission = {v.transmission, v.thickness_m, v.ior, v.dispersion};
+    block.absorbed_per_m =
+        Vec4(scene::extinction_per_m(v) * (1.0F - scene::scattered_share(v)), 0.0F);
+    block.diffuse_transmission = Vec4(v.diffuse_transmission_color, v.diffuse_transmission);
+    block.anisotropy = {v.anisotropy, std::cos(v.anisotropy_rotation_rad),
+                        std::sin(v.anisotropy_rotation_rad), 0.0F};
+    block.iridescence = {v.iridescence, v.iridescence_ior, v.iridescence_thickness_min_nm,
+                         v.iridescence_thickness_max_nm};
     static_assert(sizeof(block.uv_rows) == 2 * sizeof(Vec4) * tables::material_textures.size());
     for (std::size_t slot = 0; slot < material.textures.size(); ++slot) {
         const scene::Texture texture = material.textures[slot].value_or(scene::Texture{});
@@ -83,6 +92,7 @@ public:
         draw.base_vertex = range.base_vertex;
         draw.center_m = Vec3(instance.world_from_object * Vec4(mesh.bounds_m.center(), 1.0F));
         draw.instance = index;
+        draw.light = instance.light;
         draw.blended = material.alpha_mode == scene::AlphaMode::blend;
         draw.layered = !draw.blended && scene::has_layers(material);
         draw.double_sided = material.double_sided;
@@ -91,20 +101,29 @@ public:
                 draw.textures[slot] = bound(*material.textures[slot], slot);
         draw.block_offset = add_block(block_of(instance, material, mesh.material.index,
                                                static_cast<std::uint32_t>(out_.draws.size())));
-        out_.emits = out_.emits || (!draw.blended && material.values.emissive != Vec3(0.0F) &&
-                                    material.values.emissive_strength > 0.0F);
-        out_.has_specular = out_.has_specular || (!draw.blended && draw.key.specular);
         out_.draws.push_back(draw);
+    }
+
+    /// What the frame needs targets for: of all meshes, as those without an instance at this time
+    /// may have one at another of the same picture.
+    void add_needs(const scene::Mesh& mesh) {
+        const scene::Material& material = scene_.materials[mesh.material.index];
+        if (material.alpha_mode == scene::AlphaMode::blend) return;
+        out_.emits = out_.emits || (material.values.emissive != Vec3(0.0F) &&
+                                    material.values.emissive_strength > 0.0F);
+        out_.has_specular =
+            out_.has_specular || material_key(scene_, material, mesh).has(tables::Lobe::specular);
+        out_.is_translucent = out_.is_translucent || scene::is_translucent(material);
     }
 
     void finish() { out_.draw_blocks = gl::make_buffer(gl_, blocks_); }
 
 private:
     BoundTexture bound(const scene::Texture& texture, std::size_t slot) {
-        const auto use = out_.textures.find(
-            {scene_.images[texture.image.index].pixels, tables::material_textures[slot].space});
+        const tables::Texels texels = tables::texels_of(tables::material_textures[slot]);
+        const auto use = out_.textures.find({scene_.images[texture.image.index].pixels, texels});
         if (use == out_.textures.end()) return {};
-        const bool color = tables::material_textures[slot].space == tables::Space::srgb;
+        const bool color = texels == tables::Texels::colors;
         const auto spec =
             sampler_spec(texture, color || !filtering_.is_fast, filtering_.level_bias);
         auto sampler = out_.samplers.find(spec);
@@ -135,6 +154,16 @@ std::size_t count_tangents(const scene::Scene& scene) {
                       [](const scene::Mesh& mesh) { return !mesh.tangents.empty(); }));
 }
 
+/// Shapes of lights come and go.
+bool has_meshes_of(const scene::Scene& scene, const GpuScene& uploaded) {
+    return std::equal(scene.meshes.begin(), scene.meshes.end(), uploaded.mesh_ranges.begin(),
+                      uploaded.mesh_ranges.end(),
+                      [](const scene::Mesh& mesh, const MeshRange& range) {
+                          return mesh.relief == range.relief &&
+                                 mesh.indices.size() == static_cast<std::size_t>(range.index_count);
+                      });
+}
+
 }  // namespace
 
 std::vector<std::size_t> near_to_far(const GpuScene& scene, const shared::View& view) {
@@ -162,7 +191,8 @@ base::Result<GpuScene> upload_scene(const gl::Context& gl, const scene::Scene& s
 
 base::Status update_scene(const gl::Context& gl, const scene::Scene& scene, Filtering filtering,
                           base::ThreadPool& pool, GpuScene& out) {
-    if (const std::size_t count = count_tangents(scene); count != out.tangent_count) {
+    if (const std::size_t count = count_tangents(scene);
+        count != out.tangent_count || !has_meshes_of(scene, out)) {
         upload_meshes(gl, scene, pool, out);
         out.tangent_count = count;
     }
@@ -170,11 +200,22 @@ base::Status update_scene(const gl::Context& gl, const scene::Scene& scene, Filt
     out.draws.clear();
     out.emits = false;
     out.has_specular = false;
-    out.bounds_m = scene.bounds_m();
+    out.is_translucent = false;
+    out.bounds_m = scene.seen_bounds_m();
     Uploader uploader(gl, scene, filtering, out);
     for (std::uint32_t i = 0; i < scene.instances.size(); ++i) uploader.add_draw(i);
+    for (const scene::Mesh& mesh : scene.meshes) uploader.add_needs(mesh);
     uploader.finish();
     return gl.check("upload");
+}
+
+base::Status move_scene(const gl::Context& gl, const scene::Scene& scene, Filtering filtering,
+                        base::ThreadPool& pool, bool with_meshes, GpuScene& out) {
+    if (with_meshes) {
+        upload_meshes(gl, scene, pool, out);
+        out.tangent_count = count_tangents(scene);
+    }
+    return update_scene(gl, scene, filtering, pool, out);
 }
 
 }  // namespace facet::frame

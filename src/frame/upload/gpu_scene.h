@@ -30,9 +30,10 @@ struct Draw {
     GLsizei index_count = 0;
     std::size_t first_index = 0;
     GLint base_vertex = 0;
-    std::size_t block_offset = 0;  ///< of its DrawBlock in `draw_blocks`
-    std::uint32_t instance = 0;    ///< of the scene
-    math::Vec3 center_m{0.0F};     ///< of its bounds, world space: the order of drawing
+    std::size_t block_offset = 0;        ///< of its DrawBlock in `draw_blocks`
+    std::uint32_t instance = 0;          ///< of the scene
+    std::optional<std::uint32_t> light;  ///< of the scene, whose shape it is
+    math::Vec3 center_m{0.0F};           ///< of its bounds, world space: the order of drawing
     bool blended = false;
     bool layered = false;  ///< opaque, of more than the G-buffer holds
     bool double_sided = false;
@@ -43,11 +44,12 @@ struct MeshRange {
     GLint base_vertex = 0;
     std::size_t first_index = 0;
     GLsizei index_count = 0;
+    std::shared_ptr<const scene::Relief> relief;  ///< held, as TextureUse holds pixels
 };
 
-/// Pixels, and whether they hold sRGB or linear numbers: one image can be used as both. Held, so
-/// that an address cannot come to mean other pixels.
-using TextureUse = std::pair<std::shared_ptr<const image::Image>, tables::Space>;
+/// Pixels, and what they are used as: one image can be several things. Held, so that an address
+/// cannot come to mean other pixels.
+using TextureUse = std::pair<std::shared_ptr<const image::Image>, tables::Texels>;
 
 struct GpuScene {
     gl::Buffer vertices;
@@ -59,9 +61,10 @@ struct GpuScene {
     std::map<TextureUse, gl::Texture> textures;
     std::map<gl::SamplerSpec, gl::Sampler> samplers;
     std::vector<Draw> draws;
-    math::Bounds bounds_m;      ///< of the whole scene
-    bool emits = false;         ///< some opaque material has emission
-    bool has_specular = false;  ///< and some reflects as no plain dielectric does
+    math::Bounds bounds_m;        ///< of the whole scene, lights' shapes too
+    bool emits = false;           ///< some opaque material has emission
+    bool has_specular = false;    ///< and some reflects as no plain dielectric does,
+    bool is_translucent = false;  ///< and some lets light through
 };
 
 /// How textures are filtered.
@@ -79,9 +82,15 @@ struct Filtering {
 [[nodiscard]] base::Result<GpuScene> upload_scene(const gl::Context& gl, const scene::Scene& scene,
                                                   Filtering filtering, base::ThreadPool& pool);
 
-/// Takes over what became different in materials, textures and tangents; geometry else is taken to
-/// be the same. Errors: as upload_scene.
+/// Takes over what became different in materials, textures, tangents and places; meshes of as many
+/// triangles and the same relief as before are taken to be the same. Errors: as upload_scene.
 [[nodiscard]] base::Status update_scene(const gl::Context& gl, const scene::Scene& scene,
                                         Filtering filtering, base::ThreadPool& pool, GpuScene& out);
+
+/// Takes over where instances are now, and `with_meshes` their vertices and triangles too; what the
+/// scene emits and reflects stays. Errors: as upload_scene.
+[[nodiscard]] base::Status move_scene(const gl::Context& gl, const scene::Scene& scene,
+                                      Filtering filtering, base::ThreadPool& pool, bool with_meshes,
+                                      GpuScene& out);
 
 }  // namespace facet::frame

@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "frame/upload/material_key.h"
 
-#include "scene/dielectric.h"
-#include "scene/layers.h"
+#include "frame/texture_units.h"
+#include "scene/lobes.h"
 
 #include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <bit>
 
 namespace facet::frame {
 namespace {
@@ -29,32 +32,28 @@ bool same_lookup(const scene::Texture& a, const scene::Texture& b) {
 
 MaterialKey material_key(const scene::Scene& scene, const scene::Material& material,
                          const scene::Mesh& mesh) {
-    const auto used = [&](TextureSlot slot) { return used_texture(scene, material, slot); };
-    const scene::Texture* orm = used(TextureSlot::metallic_roughness_texture);
-    const scene::Texture* occlusion = used(TextureSlot::occlusion_texture);
     MaterialKey key;
-    key.base_color_texture = used(TextureSlot::base_color_texture) != nullptr;
-    key.metallic_roughness_texture = orm != nullptr;
-    key.normal_map = used(TextureSlot::normal_texture) != nullptr && !mesh.tangents.empty();
+    for (const tables::MaterialLobe& row : tables::material_lobes)
+        if (scene::has_lobe(material, row.lobe) &&
+            !(row.lobe == tables::Lobe::anisotropy && mesh.tangents.empty()))
+            key.lobes |= 1U << static_cast<unsigned>(row.lobe);
+    const scene::Texture* orm =
+        used_texture(scene, material, TextureSlot::metallic_roughness_texture);
+    const scene::Texture* occlusion = used_texture(scene, material, TextureSlot::occlusion_texture);
     key.occlusion_packed = occlusion != nullptr && orm != nullptr && same_lookup(*orm, *occlusion);
-    key.occlusion_texture = occlusion != nullptr && !key.occlusion_packed;
-    key.emissive_texture = used(TextureSlot::emissive_texture) != nullptr;
-    key.specular = scene::has_specular(material);
-    key.specular_texture = used(TextureSlot::specular_texture) != nullptr;
-    key.specular_color_texture = used(TextureSlot::specular_color_texture) != nullptr;
-    key.glossiness = key.specular_color_texture && material.has_glossiness;
-    key.clearcoat = scene::has_clearcoat(material);
-    if (key.clearcoat) {
-        key.clearcoat_texture = used(TextureSlot::clearcoat_texture) != nullptr;
-        key.clearcoat_roughness_texture = used(TextureSlot::clearcoat_roughness_texture) != nullptr;
-        key.clearcoat_normal_map =
-            used(TextureSlot::clearcoat_normal_texture) != nullptr && !mesh.tangents.empty();
+    for (std::size_t i = 0; i < tables::material_textures.size(); ++i) {
+        const tables::MaterialTexture& row = tables::material_textures[i];
+        const auto slot = static_cast<TextureSlot>(i);
+        const bool is_read = (row.lobe == tables::Lobe::base || key.has(row.lobe)) &&
+                             !row.is_relief && !(row.is_normal_map && mesh.tangents.empty()) &&
+                             !(slot == TextureSlot::occlusion_texture && key.occlusion_packed);
+        if (!is_read || used_texture(scene, material, slot) == nullptr) continue;
+        if (std::popcount(key.textures) == most_material_textures) break;  // factors alone are left
+        key.textures |= 1U << i;
+        key.tangents = key.tangents || row.is_normal_map;
     }
-    key.sheen = scene::has_sheen(material);
-    if (key.sheen) {
-        key.sheen_color_texture = used(TextureSlot::sheen_color_texture) != nullptr;
-        key.sheen_roughness_texture = used(TextureSlot::sheen_roughness_texture) != nullptr;
-    }
+    key.tangents = key.tangents || key.has(tables::Lobe::anisotropy);
+    key.glossiness = key.has(TextureSlot::specular_color_texture) && material.has_glossiness;
     key.vertex_color = !mesh.colors.empty();
     key.alpha_mask = material.alpha_mode == scene::AlphaMode::mask;
     for (const auto& texture : material.textures)
@@ -63,25 +62,21 @@ MaterialKey material_key(const scene::Scene& scene, const scene::Material& mater
     return key;
 }
 
-std::string define(const char* name, bool value) {
-    return fmt::format("#define FACET_{} {}\n", name, value ? 1 : 0);
+std::string define(std::string_view name, bool value) {
+    std::string capitals(name);
+    std::ranges::transform(capitals, capitals.begin(),
+                           [](char c) { return c >= 'a' && c <= 'z' ? char(c - 'a' + 'A') : c; });
+    return fmt::format("#define FACET_{} {}\n", capitals, value ? 1 : 0);
 }
 
 std::string defines(const MaterialKey& key) {
-    return define("BASE_COLOR_TEXTURE", key.base_color_texture) +
-           define("METALLIC_ROUGHNESS_TEXTURE", key.metallic_roughness_texture) +
-           define("NORMAL_MAP", key.normal_map) + define("OCCLUSION_PACKED", key.occlusion_packed) +
-           define("OCCLUSION_TEXTURE", key.occlusion_texture) +
-           define("EMISSIVE_TEXTURE", key.emissive_texture) + define("SPECULAR", key.specular) +
-           define("SPECULAR_TEXTURE", key.specular_texture) +
-           define("SPECULAR_COLOR_TEXTURE", key.specular_color_texture) +
-           define("GLOSSINESS", key.glossiness) + define("CLEARCOAT", key.clearcoat) +
-           define("CLEARCOAT_TEXTURE", key.clearcoat_texture) +
-           define("CLEARCOAT_ROUGHNESS_TEXTURE", key.clearcoat_roughness_texture) +
-           define("CLEARCOAT_NORMAL_MAP", key.clearcoat_normal_map) + define("SHEEN", key.sheen) +
-           define("SHEEN_COLOR_TEXTURE", key.sheen_color_texture) +
-           define("SHEEN_ROUGHNESS_TEXTURE", key.sheen_roughness_texture) +
-           define("TANGENTS", key.normal_map || key.clearcoat_normal_map) +
+    std::string text;
+    for (const tables::MaterialLobe& row : tables::material_lobes)
+        text += define(row.key, key.has(row.lobe));
+    for (std::size_t i = 0; i < tables::material_textures.size(); ++i)
+        text += define(tables::material_textures[i].key, key.has(static_cast<TextureSlot>(i)));
+    return text + define("OCCLUSION_PACKED", key.occlusion_packed) +
+           define("GLOSSINESS", key.glossiness) + define("TANGENTS", key.tangents) +
            define("VERTEX_COLOR", key.vertex_color) + define("UV_GENERAL", key.uv_general) +
            define("ALPHA_MASK", key.alpha_mask);
 }

@@ -82,7 +82,7 @@ void upload_meshes(const gl::Context& gl, const scene::Scene& scene, base::Threa
     std::size_t index_count = 0;
     for (const scene::Mesh& mesh : scene.meshes) {
         ranges.push_back({static_cast<GLint>(vertex_count), index_count,
-                          static_cast<GLsizei>(mesh.indices.size())});
+                          static_cast<GLsizei>(mesh.indices.size()), mesh.relief});
         vertex_count += mesh.positions_m.size();
         index_count += mesh.indices.size();
     }

@@ -11,11 +11,11 @@ namespace {
 
 base::Result<gl::Texture> upload_levels(const gl::Context& gl,
                                         const std::vector<image::Image>& levels,
-                                        tables::Space space) {
-    const gl::TextureSpec spec{
-        .format = static_cast<GLenum>(space == tables::Space::srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8),
-        .size = levels.front().size,
-        .levels = static_cast<GLsizei>(levels.size())};
+                                        tables::Texels texels) {
+    const gl::TextureSpec spec{.format = static_cast<GLenum>(
+                                   texels == tables::Texels::colors ? GL_SRGB8_ALPHA8 : GL_RGBA8),
+                               .size = levels.front().size,
+                               .levels = static_cast<GLsizei>(levels.size())};
     auto texture = gl::make_texture(gl, spec);
     if (!texture) return texture;
     for (std::size_t level = 0; level < levels.size(); ++level)
@@ -36,10 +36,11 @@ base::Status upload_textures(const gl::Context& gl, const scene::Scene& scene,
     std::vector<TextureUse> missing;
     for (const scene::Material& material : scene.materials)
         for (std::size_t slot = 0; slot < material.textures.size(); ++slot) {
-            if (!material.textures[slot]) continue;
+            if (!material.textures[slot] || tables::material_textures[slot].is_relief) continue;
             const std::uint32_t image = material.textures[slot]->image.index;
             if (scene.images[image].pixels == nullptr) continue;
-            const TextureUse use{scene.images[image].pixels, tables::material_textures[slot].space};
+            const TextureUse use{scene.images[image].pixels,
+                                 tables::texels_of(tables::material_textures[slot])};
             if (out.textures.contains(use) ||
                 std::find(missing.begin(), missing.end(), use) != missing.end())
                 continue;
@@ -47,8 +48,7 @@ base::Status upload_textures(const gl::Context& gl, const scene::Scene& scene,
         }
     std::vector<std::vector<image::Image>> levels(missing.size());
     pool.parallel_for(missing.size(), [&](std::size_t i) {
-        levels[i] = image::build_mips(image::to_rgba8(*missing[i].first),
-                                      missing[i].second == tables::Space::srgb);
+        levels[i] = image::build_mips(image::to_rgba8(*missing[i].first), missing[i].second);
     });
     for (std::size_t i = 0; i < missing.size(); ++i) {
         auto texture = upload_levels(gl, levels[i], missing[i].second);

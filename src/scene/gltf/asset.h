@@ -50,6 +50,8 @@ struct Buffer {
 
 struct View {
     bool is_sound = false;
+    bool is_lossy = false;  ///< decoded by a filter: near what was encoded, bounds too
+    base::Bytes decoded;    ///< of a compressed view; else empty
     std::span<const std::byte> bytes;
     std::size_t stride = 0;  ///< 0: none given
 };
@@ -70,6 +72,7 @@ struct Accessor {
     std::vector<std::uint32_t> sparse_indices;  ///< strictly increasing, below count
     std::span<const std::byte> sparse_values;   ///< tightly packed elements
     std::optional<std::uint32_t> view;
+    bool is_lossy = false;  ///< of numbers near those encoded, as the bounds may be
 };
 
 /// Where a file came from and what it may read.
@@ -88,6 +91,7 @@ struct Asset {
     std::vector<Buffer> buffers;
     std::vector<View> views;
     std::vector<Accessor> accessors;
+    std::vector<base::Bytes> decoded;  ///< that accessors of compressed primitives view
     std::vector<std::string>
         image_mimes;  ///< by image: what its bytes are, where they were looked at
     std::vector<std::filesystem::path> reads;
@@ -106,6 +110,12 @@ struct Asset {
 /// Fills the tables from the document, in this order. Each checks what it uses.
 void read_buffers(Asset& asset, const base::Limits& limits, Problems& problems);
 void read_views(Asset& asset, Problems& problems);
+/// Views with a compressed form get what that holds; plain bytes beside it only where it needs a
+/// feature that is missing.
+void decode_views(Asset& asset, Problems& problems);
 void read_accessors(Asset& asset, const base::Limits& limits, Problems& problems);
+/// Accessors of compressed primitives get what their streams hold. A strip becomes a list, in the
+/// document too.
+void decode_primitives(Asset& asset, Problems& problems);
 
 }  // namespace facet::scene::gltf

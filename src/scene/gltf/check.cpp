@@ -12,7 +12,9 @@ void check_asset(Asset& asset, Depth depth, const base::Limits& limits, Problems
     check_extension_lists(asset.json, problems);
     read_buffers(asset, limits, problems);
     read_views(asset, problems);
+    decode_views(asset, problems);
     read_accessors(asset, limits, problems);
+    decode_primitives(asset, problems);
     check_buffer_use(asset, problems);
     check_accessor_uses(asset, problems);
     check_meshes(asset, problems);

@@ -13,7 +13,7 @@
 namespace facet::scene::gltf {
 namespace {
 
-struct Looking {
+struct ImageLook {
     Asset& asset;
     const Json& json;
     std::size_t index;
@@ -41,7 +41,7 @@ std::string data_uri_mime(const std::string& uri) {
     return is_data_uri(uri) ? uri.substr(5, uri.find_first_of(";,") - 5) : std::string();
 }
 
-void check_source(Looking& l) {
+void check_source(ImageLook& l) {
     const bool has_uri = find(l.json, "uri") != nullptr;
     const bool has_view = find(l.json, "bufferView") != nullptr;
     if (has_uri == has_view)
@@ -62,7 +62,7 @@ void check_source(Looking& l) {
 
 /// A URI that no file could have. `http:` is well-formed, so the validator only warns; `load`
 /// refuses it.
-void check_uri(Looking& l, const std::string& uri) {
+void check_uri(ImageLook& l, const std::string& uri) {
     if (is_data_uri(uri)) return;
     if (const auto path = decode_relative_uri(uri); !path) {
         const bool is_remote = path.error().what == "the network is never used";
@@ -73,14 +73,14 @@ void check_uri(Looking& l, const std::string& uri) {
     }
 }
 
-void check_declared(Looking& l, std::string_view found, const std::string& declared,
+void check_declared(ImageLook& l, std::string_view found, const std::string& declared,
                     const std::string& at) {
     if (!declared.empty() && declared != found)
         l.problems.error("IMAGE_MIME_TYPE_INVALID", at, "image is not of the declared media type",
                          fmt::format("{}, declared {}", found, declared.substr(0, 60)));
 }
 
-void check_bytes(Looking& l, std::span<const std::byte> bytes, const std::string& uri) {
+void check_bytes(ImageLook& l, std::span<const std::byte> bytes, const std::string& uri) {
     const auto format = image::sniff(bytes);
     const std::string_view mime = format ? mime_of(*format) : std::string_view{};
     if (mime.empty()) {
@@ -111,7 +111,7 @@ void check_bytes(Looking& l, std::span<const std::byte> bytes, const std::string
                         fmt::format("{}x{}", header->size.width, header->size.height));
 }
 
-void check_contents(Looking& l) {
+void check_contents(ImageLook& l) {
     const std::string uri = string_at(l.json, "uri");
     if (const auto view = index_at(l.json, "bufferView")) {
         if (*view < l.asset.views.size() && l.asset.views[*view].is_sound)
@@ -145,8 +145,8 @@ void check_images(Asset& asset, Depth depth, const base::Limits& limits, Problem
     for (std::size_t i = 0; i < count_at(asset.json, "images"); ++i) {
         const Json& json = *element_at(asset.json, "images", i);
         if (!json.is_object()) continue;
-        Looking looking{asset,  json,     i,           pointer_text("images", i),
-                        limits, problems, allows_webp, read};
+        ImageLook looking{asset,  json,     i,           pointer_text("images", i),
+                          limits, problems, allows_webp, read};
         check_source(looking);
         if (const std::string uri = string_at(json, "uri"); find(json, "uri") != nullptr)
             check_uri(looking, uri);

@@ -11,7 +11,7 @@ namespace facet::scene::gltf {
 namespace {
 
 /// A material and where it stands.
-struct Material {
+struct CheckedMaterial {
     const Json& json;
     std::string where;
     Problems& problems;
@@ -38,7 +38,7 @@ bool is_zero(const Json* color) {
     return std::all_of(color->begin(), color->end(), [](const Json& v) { return v == 0; });
 }
 
-void check_ior(Material& m) {
+void check_ior(CheckedMaterial& m) {
     const Json* const extension = m.extension("KHR_materials_ior");
     const auto ior = extension != nullptr ? number_at(*extension, "ior") : std::nullopt;
     if (ior && *ior > 0 && *ior < 1)
@@ -47,11 +47,11 @@ void check_ior(Material& m) {
                          fmt::format("{}", *ior));
 }
 
-void check_volume(Material& m) {
+void check_volume(CheckedMaterial& m) {
     const Json* const volume = m.extension("KHR_materials_volume");
     constexpr std::string_view path = "/extensions/KHR_materials_volume";
     if (volume != nullptr && m.extension("KHR_materials_transmission") == nullptr &&
-        !m.has_unknown_extension())
+        m.extension("KHR_materials_diffuse_transmission") == nullptr && !m.has_unknown_extension())
         m.note(Severity::warning, "KHR_MATERIALS_VOLUME_NO_TRANSMISSION", path,
                "a volume that no light enters");
     const double thickness =
@@ -64,7 +64,7 @@ void check_volume(Material& m) {
                "/extensions/KHR_materials_dispersion", "dispersion without a volume");
 }
 
-void check_iridescence(Material& m) {
+void check_iridescence(CheckedMaterial& m) {
     const Json* const film = m.extension("KHR_materials_iridescence");
     if (film == nullptr) return;
     const bool has_texture = find(*film, "iridescenceThicknessTexture") != nullptr;
@@ -84,7 +84,7 @@ std::uint64_t set_of(const Json* texture) {
     return texture != nullptr ? unsigned_at(*texture, "texCoord").value_or(0) : 0;
 }
 
-void check_shared_coordinates(Material& m) {
+void check_shared_coordinates(CheckedMaterial& m) {
     const Json* const normal = find(m.json, "normalTexture");
     if (normal == nullptr) return;
     struct Row {
@@ -105,7 +105,7 @@ void check_shared_coordinates(Material& m) {
     }
 }
 
-void check_material(Material& m) {
+void check_material(CheckedMaterial& m) {
     if (find(m.json, "alphaCutoff") != nullptr && string_at(m.json, "alphaMode") != "MASK")
         m.note(Severity::warning, "MATERIAL_ALPHA_CUTOFF_INVALID_MODE", "/alphaCutoff",
                "cutoff without alpha mode MASK");
@@ -147,8 +147,8 @@ void check_texture(const Asset& asset, std::size_t index, Problems& problems) {
 
 void check_materials(const Asset& asset, Problems& problems) {
     for (std::size_t i = 0; i < count_at(asset.json, "materials"); ++i) {
-        Material material{*element_at(asset.json, "materials", i), pointer_text("materials", i),
-                          problems};
+        CheckedMaterial material{*element_at(asset.json, "materials", i),
+                                 pointer_text("materials", i), problems};
         if (material.json.is_object()) check_material(material);
     }
     for (std::size_t i = 0; i < count_at(asset.json, "textures"); ++i)

@@ -1,5 +1,6 @@
 // Materials: factors, textures, and the extensions that this renderer knows.
 // SPDX-License-Identifier: MIT
+#include "scene/gltf/contradictions.h"
 #include "scene/gltf/import.h"
 #include "scene/gltf/specular_glossiness.h"
 
@@ -13,6 +14,20 @@ namespace {
 
 using tables::TextureSlot;
 
+/// The checks have told of what the specification forbids; where it is, and not what became of it.
+void tell_clamped(Import& import, const std::string& where, std::string found) {
+    constexpr std::size_t most = 1000;
+    if (import.warnings.size() >= most) return;
+    const auto told = std::ranges::find_if(import.warnings, [&](const base::Warning& warning) {
+        return warning.what == "out of range" &&
+               (warning.where == where || warning.where.starts_with(where + "/"));
+    });
+    if (told != import.warnings.end())
+        told->what = "out of range, clamped";
+    else
+        import.warn(where, "out of range, clamped", std::move(found));
+}
+
 /// `value` within the range that the table gives `key`; a warning where it was not.
 float in_range(Import& import, const std::string& where, std::string_view key, double value) {
     for (const tables::MaterialParam& param : tables::material_params) {
@@ -20,8 +35,8 @@ float in_range(Import& import, const std::string& where, std::string_view key, d
         const double held = std::clamp(std::isfinite(value) ? value : param.range.low,
                                        param.range.low, param.range.high);
         if (held != value)
-            import.warn(
-                where + std::string(param.gltf), "out of range, clamped",
+            tell_clamped(
+                import, where + std::string(param.gltf),
                 fmt::format("{}, range {} to {}", value, param.range.low, param.range.high));
         return static_cast<float>(held);
     }
@@ -58,9 +73,13 @@ std::optional<std::uint32_t> image_of(Import& import, std::size_t texture_index)
     return std::nullopt;
 }
 
+/// What a coordinate in float still has whole texels for.
+constexpr float most_transform = 1e6F;
+
 /// KHR_texture_transform: uv' = T R S uv. The rotation is counter-clockwise as the image is seen,
 /// and v points down, hence the sign of the sines.
-void apply_transform(const Json& transform, Texture& texture) {
+void apply_transform(Import& import, const Json& transform, const std::string& where,
+                     Texture& texture) {
     const auto pair = [&](const char* key, math::Vec2 otherwise) {
         const Json* const values = find(transform, key);
         if (values == nullptr || !values->is_array() || values->size() != 2) return otherwise;
@@ -70,23 +89,35 @@ void apply_transform(const Json& transform, Texture& texture) {
     const math::Vec2 offset = pair("offset", math::Vec2(0.0F));
     const math::Vec2 scale = pair("scale", math::Vec2(1.0F));
     const auto angle = static_cast<float>(number_at(transform, "rotation").value_or(0.0));
+    if (const auto set = index_at(transform, "texCoord")) texture.uv_set = *set;
+    for (const float value : {offset.x, offset.y, scale.x, scale.y, angle})
+        if (!(std::fabs(value) <= most_transform))
+            return import.warn(
+                where + "/extensions/KHR_texture_transform", "texture is not moved: out of range",
+                fmt::format("{}, range {} to {}", value, -most_transform, most_transform));
     const float c = std::cos(angle);
     const float s = std::sin(angle);
     texture.uv_from_uv = Mat3(Vec3(c * scale.x, -s * scale.x, 0.0F),  // columns
                               Vec3(s * scale.y, c * scale.y, 0.0F), Vec3(offset.x, offset.y, 1.0F));
-    if (const auto set = index_at(transform, "texCoord")) texture.uv_set = *set;
 }
 
 /// The textureInfo `json` at `where`, if it can be used.
 std::optional<Texture> convert_texture(Import& import, const Json& json, const std::string& where) {
     const auto index = index_at(json, "index");
-    if (!index || *index >= import.model.textures.size()) return std::nullopt;
+    if (!index || *index >= import.model.textures.size()) {
+        // What the checks know of is an error before.
+        import.warn(where, "texture is ignored: there is no such texture",
+                    index
+                        ? fmt::format("{}, but there are {}", *index, import.model.textures.size())
+                        : "no index");
+        return std::nullopt;
+    }
     const auto image = image_of(import, *index);
     if (!image) return std::nullopt;
     Texture texture{.image = use_image(import, *image)};
     texture.uv_set = index_at(json, "texCoord").value_or(0);
     if (const Json* const transform = find_path(json, "extensions/KHR_texture_transform"))
-        apply_transform(*transform, texture);
+        apply_transform(import, *transform, where, texture);
     if (texture.uv_set > 1) {
         import.warn(where, "texture is ignored: only two sets of coordinates are supported",
                     fmt::format("TEXCOORD_{}", texture.uv_set));
@@ -136,16 +167,20 @@ void convert_factors(Import& import, const tinygltf::Material& from, const std::
     values.emissive = color_in_range(import, where, "emissive", from.emissiveFactor);
 }
 
-/// The numbers at an extension's pointers; a row's initial value stands for what is not there.
+/// The numbers at pointers of extensions and of this program's extras; a row's initial value stands
+/// for what is not there.
 void convert_extension_factors(Import& import, const Json& material, const std::string& where,
                                tables::MaterialValues& to) {
     for (const tables::MaterialParam& param : tables::material_params) {
-        if (!param.gltf.starts_with("/extensions/")) continue;
+        const bool is_extra = param.gltf.starts_with("/extras/");
+        if (!param.gltf.starts_with("/extensions/") && !is_extra) continue;
         const Json* const value = find_path(material, param.gltf.substr(1));
         if (value == nullptr) continue;
         if (const auto* number = std::get_if<float tables::MaterialValues::*>(&param.field)) {
             if (value->is_number())
                 to.** number = in_range(import, where, param.key, value->get<double>());
+            else if (is_extra)
+                import.warn(where + std::string(param.gltf), "not a number, ignored");
             continue;
         }
         if (!value->is_array() || value->size() != 3) continue;
@@ -154,6 +189,22 @@ void convert_extension_factors(Import& import, const Json& material, const std::
             if (const Json& x = (*value)[static_cast<std::size_t>(i)]; x.is_number())
                 color[i] = in_range(import, where, param.key, x.get<double>());
     }
+}
+
+/// Older drafts of KHR_materials_volume_scatter have another name for the color.
+void convert_older_scatter(Import& import, const Json& material, const std::string& where,
+                           tables::MaterialValues& to) {
+    const std::string path = "/extensions/KHR_materials_volume_scatter/multiscatterColor";
+    const Json* const color = find_path(material, path.substr(1));
+    if (color == nullptr || find_path(material, path.substr(1) + "Factor") != nullptr) return;
+    for (int i = 0; i < 3 && color->is_array() && color->size() == 3; ++i)
+        if (const Json& x = (*color)[static_cast<std::size_t>(i)]; x.is_number())
+            to.scatter_color[i] = in_range(import, where, "scatter_color", x.get<double>());
+}
+
+/// 0 is an index without end, and none is between that and 1.
+void hold_ior(tables::MaterialValues& to) {
+    if (to.ior > 0.0F) to.ior = std::max(to.ior, 1.0F);
 }
 
 /// What the extension has in the place of the core's workflow and of other extensions'.
@@ -186,6 +237,9 @@ Material convert_material(Import& import, std::size_t index) {
     convert_factors(import, from, where, to);
     convert_alpha(import, from, where, to);
     convert_extension_factors(import, json, where, to.values);
+    convert_older_scatter(import, json, where, to.values);
+    hold_ior(to.values);
+    warn_of_contradictions(import, json, where);
     convert_textures(import, json, where, to);
     to.unlit = find_path(json, "extensions/KHR_materials_unlit") != nullptr;
     convert_glossiness(import, json, where, to);
@@ -193,7 +247,7 @@ Material convert_material(Import& import, std::size_t index) {
 }
 
 bool has_coordinates(const Mesh& mesh, const Texture& texture) {
-    return !(texture.uv_set == 0 ? mesh.uv0 : mesh.uv1).empty();
+    return !mesh.uv(texture.uv_set).empty();
 }
 
 }  // namespace
@@ -224,8 +278,13 @@ MaterialId default_material(Import& import) {
 
 MaterialId material_for(Import& import, MaterialId id, const Mesh& mesh, const std::string& where) {
     std::string missing;  // one character a slot
-    for (const auto& texture : import.scene.materials[id.index].textures)
-        missing += texture && !has_coordinates(mesh, *texture) ? '-' : '+';
+    const Material& material = import.scene.materials[id.index];
+    for (std::size_t i = 0; i < material.textures.size(); ++i) {
+        const auto& texture = material.textures[i];
+        const bool lacks =
+            texture && !tables::material_textures[i].is_ramp && !has_coordinates(mesh, *texture);
+        missing += lacks ? '-' : '+';
+    }
     if (missing.find('-') == std::string::npos) return id;
     if (import.reduced_materials.size() <= id.index) import.reduced_materials.resize(id.index + 1);
     const MaterialId next{static_cast<std::uint32_t>(import.scene.materials.size())};

@@ -1,27 +1,24 @@
 // Nodes: which scene is shown, and the meshes placed by its nodes.
 // SPDX-License-Identifier: MIT
+#include "scene/animate.h"
 #include "scene/gltf/elements.h"
 #include "scene/gltf/instancing.h"
 #include "scene/gltf/mesh.h"
 #include "scene/gltf/placed.h"
+#include "scene/gltf/points_and_lines.h"
 #include "scene/gltf/transforms.h"
 
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
+#include <span>
+#include <utility>
 
 namespace facet::scene::gltf {
 namespace {
 
 using base::ErrorCode;
-
-/// Meshes made so far, by mesh and whether turned round; those of a pose of their own are not kept.
-struct Cache {
-    std::map<std::pair<std::size_t, bool>, std::vector<MeshId>> meshes;
-    std::map<std::size_t, std::vector<Mat4>> joints;  ///< by skin
-};
 
 /// Roots of the scene to show.
 base::Result<std::vector<int>> choose_roots(Import& import) {
@@ -55,126 +52,174 @@ base::Result<std::vector<int>> choose_roots(Import& import) {
     return model.scenes[index].nodes;
 }
 
-/// world_from_bind of every joint of a skin, from the nodes as they stand.
-std::vector<Mat4> joint_matrices(const Import& import, const Transforms& transforms,
-                                 std::size_t skin_index) {
-    const Json& skin = *element_at(import.asset.json, "skins", skin_index);
-    std::vector<Mat4> joints;
-    for (const Json& joint : *find(skin, "joints"))
-        joints.push_back(transforms.world_from_node[joint.get<std::size_t>()]);
-    const auto bind_index = index_at(skin, "inverseBindMatrices");
-    if (!bind_index || !import.asset.accessors[*bind_index].is_sound) return joints;
-    const Accessor& accessor = import.asset.accessors[*bind_index];
-    const std::vector<float> floats = read_floats(accessor);
-    for (std::size_t j = 0; j < joints.size() && j < accessor.count && accessor.components == 16;
-         ++j) {
-        Mat4 bind;
-        for (std::size_t i = 0; i < 16; ++i)
-            bind[static_cast<int>(i / 4)][static_cast<int>(i % 4)] = floats[j * 16 + i];
-        joints[j] = joints[j] * bind;
+std::vector<Skin> read_skins(const Import& import) {
+    std::vector<Skin> skins;
+    for (std::size_t s = 0; s < count_at(import.asset.json, "skins"); ++s) {
+        const Json& json = *element_at(import.asset.json, "skins", s);
+        Skin& skin = skins.emplace_back();
+        for (const Json& joint : *find(json, "joints"))
+            skin.joints.push_back(joint.get<std::uint32_t>());
+        skin.joint_from_object.assign(skin.joints.size(), Mat4(1.0F));
+        const auto bind_index = index_at(json, "inverseBindMatrices");
+        if (!bind_index || !import.asset.accessors[*bind_index].is_sound) continue;
+        const Accessor& accessor = import.asset.accessors[*bind_index];
+        if (accessor.components != 16) continue;
+        const std::vector<float> floats = read_floats(accessor);
+        for (std::size_t j = 0; j < skin.joints.size() && j < accessor.count; ++j)
+            for (std::size_t i = 0; i < 16; ++i)
+                skin.joint_from_object[j][static_cast<int>(i / 4)][static_cast<int>(i % 4)] =
+                    floats[j * 16 + i];
     }
-    return joints;
+    return skins;
 }
 
-base::Result<std::vector<MeshId>> build_meshes(Import& import, std::size_t mesh_index,
-                                               const Pose& pose) {
-    std::vector<MeshId> ids;
-    for (std::size_t p = 0; p < import.model.meshes[mesh_index].primitives.size(); ++p) {
-        auto mesh = build_mesh(import, mesh_index, p, pose);
-        if (!mesh) return tl::unexpected(mesh.error());
-        if (!*mesh) continue;
-        ids.push_back({static_cast<std::uint32_t>(import.scene.meshes.size())});
-        import.scene.meshes.push_back(std::move(**mesh));
-    }
-    return ids;
-}
-
-/// One mesh at one place, from the cache where it has no pose of its own.
-struct Placement {
-    std::uint32_t node = 0;
-    Mat4 world_from_object{1.0F};
+/// What placing meshes takes.
+struct Placer {
+    Import& import;
+    Rig& rig;
+    const Pose& pose;  ///< nothing moved
+    /// Meshes made so far that nothing deforms, by mesh and whether turned round.
+    std::map<std::pair<std::size_t, bool>, std::vector<MeshId>> meshes;
+    /// Of the rig, by mesh: each with its primitive.
+    std::map<std::size_t, std::vector<std::pair<PrimitiveId, std::size_t>>> shapes;
 };
 
-base::Status place_mesh(Import& import, const Placement& placement, Pose pose, bool is_shared,
-                        Cache& cache) {
-    const tinygltf::Node& node = import.model.nodes[placement.node];
-    const float determinant = glm::determinant(Mat3(placement.world_from_object));
-    if (determinant == 0.0F || !std::isfinite(determinant)) {
-        import.warn(pointer_text("nodes", placement.node), "mesh scaled to nothing is not drawn");
-        return {};
-    }
-    const bool is_skinned = !pose.joints.empty();
-    pose.is_mirrored = (is_skinned ? glm::determinant(Mat3(pose.joints[0])) : determinant) < 0.0F;
-    const auto mesh_index = static_cast<std::size_t>(node.mesh);
-    const std::pair key(mesh_index, pose.is_mirrored);
-    std::vector<MeshId> ids;
-    if (const auto found = cache.meshes.find(key); is_shared && found != cache.meshes.end()) {
-        ids = found->second;
-    } else {
-        auto built = build_meshes(import, mesh_index, pose);
+MeshId add_mesh(Import& import, Mesh mesh) {
+    import.scene.meshes.push_back(std::move(mesh));
+    return {static_cast<std::uint32_t>(import.scene.meshes.size() - 1)};
+}
+
+/// Meshes of the mesh's primitives, for this pose alone.
+base::Status build_meshes(Import& import, std::size_t mesh, const Deformation& by,
+                          Placing& placing) {
+    for (std::size_t p = 0; p < import.model.meshes[mesh].primitives.size(); ++p) {
+        auto shape = read_shape(import, {mesh, p}, by.weights);
+        if (!shape) return base::fail(shape.error());
+        if (!*shape) continue;
+        auto built = build_mesh(import, {mesh, p}, std::move(**shape), by);
         if (!built) return base::fail(built.error());
-        ids = std::move(*built);
-        if (is_shared) cache.meshes[key] = ids;
+        if (!built->indices.empty()) placing.meshes.push_back(add_mesh(import, std::move(*built)));
     }
-    if (auto taken = import.take_memory(std::max<std::size_t>(ids.size(), 1) * sizeof(Instance),
-                                        pointer_text("nodes", placement.node));
-        !taken)
-        return taken;
-    for (const MeshId id : ids)
-        import.scene.instances.push_back({.mesh = id,
-                                          .world_from_object = placement.world_from_object,
-                                          .node = node.name,
-                                          .object_id = placement.node + 1});
     return {};
 }
 
-base::Status convert_mesh_node(Import& import, const Transforms& transforms, std::uint32_t index,
-                               Cache& cache) {
+/// The same, with what it takes to build them for another pose.
+base::Status build_shapes(Placer& placer, std::size_t mesh, const Deformation& by,
+                          Placing& placing) {
+    Import& import = placer.import;
+    const auto [known, is_new] = placer.shapes.try_emplace(mesh);
+    for (std::size_t p = 0; is_new && p < import.model.meshes[mesh].primitives.size(); ++p) {
+        auto shape = read_shape(import, {mesh, p}, by.weights);
+        if (!shape) return base::fail(shape.error());
+        if (!*shape) continue;
+        known->second.emplace_back(PrimitiveId{mesh, p}, placer.rig.shapes.size());
+        placer.rig.shapes.push_back(std::move(**shape));
+    }
+    for (const auto& [id, index] : known->second) {
+        const Shape& shape = placer.rig.shapes[index];
+        if (auto taken = import.take_memory(shape.mesh.positions_m.size() * vertex_bytes +
+                                                shape.mesh.indices.size() * sizeof(std::uint32_t),
+                                            pointer_text("meshes", mesh));
+            !taken)
+            return taken;
+        auto built = build_mesh(import, id, shape, by);
+        if (!built) return base::fail(built.error());
+        placing.meshes.push_back(add_mesh(import, std::move(*built)));
+        placing.shapes.push_back(index);
+    }
+    return {};
+}
+
+bool has_targets(const tinygltf::Mesh& mesh) {
+    return std::any_of(mesh.primitives.begin(), mesh.primitives.end(),
+                       [](const tinygltf::Primitive& p) { return !p.targets.empty(); });
+}
+
+/// Makes the placing's meshes, and instances of them where there is something to see.
+base::Status place_mesh(Placer& placer, Placing placing, std::span<const Mat4> joints) {
+    Import& import = placer.import;
+    const tinygltf::Node& node = import.model.nodes[placing.node];
+    const auto mesh = static_cast<std::size_t>(node.mesh);
+    const Mat4 world = placing.skin
+                           ? placing.node_from_copy
+                           : placer.pose.world_from_node[placing.node] * placing.node_from_copy;
+    const bool is_seen = !is_flat(world);
+    if (!is_seen)
+        import.warn(pointer_text("nodes", placing.node), "mesh scaled to nothing is not drawn");
+    if (!is_seen && !import.has_clips) return {};
+    const Deformation by{placing.weights, joints,
+                         is_mirroring(joints.empty() ? world : joints.front())};
+    const bool deforms = placing.skin || has_targets(import.model.meshes[mesh]);
+    const bool is_own = placing.skin || !node.weights.empty();
+    if (import.has_clips && deforms) {
+        if (auto built = build_shapes(placer, mesh, by, placing); !built) return built;
+    } else if (is_own && deforms) {
+        if (auto built = build_meshes(import, mesh, by, placing); !built) return built;
+    } else {
+        const std::pair key(mesh, by.is_mirrored);
+        if (const auto found = placer.meshes.find(key); found != placer.meshes.end())
+            placing.meshes = found->second;
+        else if (auto built = build_meshes(import, mesh, by, placing); !built)
+            return built;
+        placer.meshes[key] = placing.meshes;
+    }
+    const std::size_t bytes = std::max<std::size_t>(placing.meshes.size(), 1) * sizeof(Instance) +
+                              (import.has_clips ? sizeof(Placing) : 0);
+    if (auto taken = import.take_memory(bytes, pointer_text("nodes", placing.node)); !taken)
+        return taken;
+    for (const MeshId id : placing.meshes)
+        if (is_seen && !import.scene.meshes[id.index].indices.empty())
+            import.scene.instances.push_back({.mesh = id,
+                                              .world_from_object = world,
+                                              .node = placing.name,
+                                              .object_id = placing.node + 1});
+    if (import.has_clips) placer.rig.placings.push_back(std::move(placing));
+    return {};
+}
+
+base::Status convert_mesh_node(Placer& placer, std::uint32_t index) {
+    const Import& import = placer.import;
     const tinygltf::Node& node = import.model.nodes[index];
-    Pose pose;
-    const bool has_weights = !node.weights.empty();
-    pose.morph_weights = has_weights
-                             ? node.weights
-                             : import.model.meshes[static_cast<std::size_t>(node.mesh)].weights;
-    Placement placement{.node = index, .world_from_object = transforms.world_from_node[index]};
-    const bool is_skinned = node.skin >= 0;
-    if (is_skinned) {
+    const std::vector<double>& weights =
+        node.weights.empty() ? import.model.meshes[static_cast<std::size_t>(node.mesh)].weights
+                             : node.weights;
+    Placing placing{.node = index, .name = node.name};
+    for (const double weight : weights) placing.weights.push_back(static_cast<float>(weight));
+    std::vector<Mat4> joints;
+    if (node.skin >= 0) {
         // A skinned mesh stands where its joints are; its own node's place is ignored (glTF 2.0,
         // section 3.7.3.3).
-        const auto skin = static_cast<std::size_t>(node.skin);
-        if (!cache.joints.contains(skin))
-            cache.joints[skin] = joint_matrices(import, transforms, skin);
-        pose.joints = cache.joints[skin];
-        placement.world_from_object = Mat4(1.0F);
+        placing.skin = static_cast<std::uint32_t>(node.skin);
+        joints = joint_matrices(placer.rig.skins[*placing.skin], placer.pose);
     }
-    const bool is_shared = !has_weights && !is_skinned;
     const auto copies = read_instances(import, index);
     if (!copies) return base::fail(copies.error());
-    if (copies->empty()) return place_mesh(import, placement, pose, is_shared, cache);
+    if (copies->empty()) return place_mesh(placer, std::move(placing), joints);
     for (const Mat4& node_from_copy : *copies) {
-        const Placement copy{.node = index,
-                             .world_from_object = placement.world_from_object * node_from_copy};
-        if (auto placed = place_mesh(import, copy, pose, is_shared, cache); !placed) return placed;
+        Placing copy = placing;
+        copy.node_from_copy = node_from_copy;
+        if (auto placed = place_mesh(placer, std::move(copy), joints); !placed) return placed;
     }
     return {};
 }
 
 }  // namespace
 
-base::Status convert_nodes(Import& import) {
+base::Status convert_nodes(Import& import, Rig& rig) {
     const auto roots = choose_roots(import);
     if (!roots) return base::fail(roots.error());
-    const auto transforms = place_nodes(import, *roots);
-    if (!transforms) return base::fail(transforms.error());
-    Cache cache;
-    for (const std::uint32_t index : transforms->in_scene) {
+    const auto shown = read_rig_nodes(import, *roots, rig);
+    if (!shown) return base::fail(shown.error());
+    rig.skins = read_skins(import);
+    const Pose pose = pose_at(rig, nullptr, 0.0);
+    measure_lines(import, *shown, pose.world_from_node);
+    Placer placer{import, rig, pose, {}, {}};
+    for (const std::uint32_t index : *shown) {
         const tinygltf::Node& node = import.model.nodes[index];
-        const Mat4& world_from_node = transforms->world_from_node[index];
         if (node.mesh >= 0)
-            if (auto placed = convert_mesh_node(import, *transforms, index, cache); !placed)
-                return placed;
-        if (node.camera >= 0) place_camera(import, index, world_from_node);
-        place_light(import, index, world_from_node);
+            if (auto placed = convert_mesh_node(placer, index); !placed) return placed;
+        if (node.camera >= 0) place_camera(import, index, pose.world_from_node[index]);
+        place_light(import, index, pose.world_from_node[index]);
     }
     if (import.scene.lights.size() > import.limits.lights)
         return base::fail({.code = ErrorCode::limit_reached,

@@ -4,6 +4,7 @@
 
 #include "base/text.h"
 #include "scene/gltf/glb.h"
+#include "scene/gltf/meshopt.h"
 #include "scene/gltf/uri.h"
 
 #include <spdlog/fmt/fmt.h>
@@ -59,8 +60,9 @@ void move_views(OrderedJson& json, std::size_t index, std::size_t offset) {
     for (OrderedJson& view : json["bufferViews"]) {
         move(view);
         if (!view.contains("extensions") || !view["extensions"].is_object()) continue;
-        if (auto& extensions = view["extensions"]; extensions.contains("EXT_meshopt_compression"))
-            move(extensions["EXT_meshopt_compression"]);
+        auto& extensions = view["extensions"];
+        for (const std::string_view name : meshopt_extensions)
+            if (extensions.contains(name)) move(extensions[std::string(name)]);
     }
 }
 

@@ -15,12 +15,22 @@ bool has_fallback(std::string_view extension) {
            extension == "EXT_texture_avif" || extension == "MSFT_texture_dds";
 }
 
+/// What a build needs for an extension that it lacks only a library for; empty for others.
+std::string_view package_of(const tables::GltfFeature* feature) {
+    if (feature == nullptr || feature->codec == tables::Codec::none) return {};
+    return feature->codec == tables::Codec::meshopt ? "libmeshoptimizer-dev (FACET_MESHOPT=ON)"
+                                                    : "libdraco-dev (FACET_DRACO=ON)";
+}
+
 base::Error missing(const std::string& name) {
+    const std::string_view package = package_of(tables::gltf_feature(name));
+    const std::string ignore = "--ignore-required " + name + " to render it all the same";
     return {.code = base::ErrorCode::feature_missing,
             .where = "/extensionsRequired",
             .what = "required extension is not supported",
             .found = name + ", without it the picture lacks " + std::string(loss_without(name)),
-            .remedy = "--ignore-required " + name + " to render it all the same"};
+            .remedy =
+                package.empty() ? ignore : "build with " + std::string(package) + ", or " + ignore};
 }
 
 }  // namespace

@@ -11,6 +11,8 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
+#include <set>
+#include <string_view>
 
 namespace facet::scene::gltf {
 namespace {
@@ -42,6 +44,19 @@ void list_names(const Json& json, Scene& scene) {
             if (name.is_string()) scene.extensions_used.push_back(name.get<std::string>());
     scene.animations = names_of(json, "animations", "animation");
     scene.variants = names_of(json, "extensions/KHR_materials_variants/variants", "variant");
+}
+
+/// --variant finds the first of a name.
+void warn_of_names(const Scene& scene, base::Warnings& warnings) {
+    std::set<std::string_view> seen;
+    for (std::size_t i = 0; i < scene.variants.size(); ++i)
+        if (!seen.insert(scene.variants[i]).second && warnings.size() < 100)
+            warnings.push_back(
+                {.file = {},
+                 .where = fmt::format("/extensions/KHR_materials_variants/variants/{}/name", i),
+                 .what = "variant cannot be chosen: another before it has its name",
+                 .found = scene.variants[i],
+                 .remedy = {}});
 }
 
 /// The index of the variant asked for. Errors: usage (no such name).
@@ -83,12 +98,17 @@ base::Result<Loaded> convert(Asset& asset, const LoadOptions& options, const bas
                   .default_material = {},
                   .reduced_materials = {}};
     list_names(asset.json, loaded.scene);
+    warn_of_names(loaded.scene, loaded.warnings);
     const auto variant = variant_of(options, loaded.scene);
     if (!variant) return tl::unexpected(variant.error());
     import.variant = *variant;
     convert_materials(import);
-    if (auto converted = convert_nodes(import); !converted)
+    auto rig = std::make_shared<Rig>();
+    rig->clips = read_clips(import, problems);
+    import.has_clips = !rig->clips.empty();
+    if (auto converted = convert_nodes(import, *rig); !converted)
         return tl::unexpected(converted.error());
+    if (import.has_clips) loaded.scene.rig = std::move(rig);
     if (auto images = load_images(import); !images) return tl::unexpected(images.error());
     if (options.decode_images) drop_missing_normal_maps(loaded.scene);
     loaded.reads = std::move(asset.reads);

@@ -8,6 +8,7 @@
 #include "scene/gltf/asset.h"
 #include "scene/gltf/model.h"
 #include "scene/load.h"
+#include "scene/rig.h"
 #include "scene/scene.h"
 
 #include <cstdint>
@@ -33,9 +34,14 @@ struct Import {
     std::vector<std::uint32_t> image_sources;      ///< by ImageId: index in the file
     std::map<std::string, ImageId> images_by_key;  ///< uri, or "#" and the index
     std::optional<std::size_t> variant;            ///< of KHR_materials_variants
+    bool has_clips = false;                        ///< meshes have to be kept for other poses
     std::optional<MaterialId> default_material;
     std::vector<std::map<std::string, MaterialId>>
         reduced_materials;  ///< by material: without some textures
+    std::map<std::uint32_t, MaterialId> unlit_materials = {};  ///< by material
+    /// By mesh of the file: the scene's diagonal in units of the mesh; empty where nothing needs
+    /// it.
+    std::vector<float> line_scales = {};
 
     /// Sets `bytes` aside for what is about to be made. Errors: limit_reached when they are not
     /// there.
@@ -81,7 +87,11 @@ void drop_missing_normal_maps(Scene& scene);
 [[nodiscard]] MaterialId material_for(Import& import, MaterialId material, const Mesh& mesh,
                                       const std::string& where);
 
-/// Everything that hangs on nodes: meshes as placed, cameras, lights.
-[[nodiscard]] base::Status convert_nodes(Import& import);
+/// Everything that hangs on nodes: meshes as placed, cameras, lights. Fills all of the rig but its
+/// clips.
+[[nodiscard]] base::Status convert_nodes(Import& import, Rig& rig);
+/// The file's animations. What is wrong with one is its fault, and a warning. `problems`: what the
+/// checks found.
+[[nodiscard]] std::vector<Clip> read_clips(Import& import, const Problems& problems);
 
 }  // namespace facet::scene::gltf

@@ -98,7 +98,7 @@ base::Result<std::vector<Vec3>> read_positions(Import& import, const tinygltf::P
 }
 
 /// Rows that sum to 1; a row of zeros stays and leaves its vertex where it is.
-void normalize_weights(Import& import, const std::string& where, Streams& streams) {
+void normalize_weights(Import& import, const std::string& where, Shape& streams) {
     std::size_t mended = 0;
     for (std::size_t row = 0; row < streams.joint_weights.size(); row += streams.influence_count) {
         float sum = 0.0F;
@@ -117,7 +117,7 @@ void normalize_weights(Import& import, const std::string& where, Streams& stream
 }
 
 void read_influences(Import& import, const tinygltf::Primitive& primitive, const std::string& where,
-                     Streams& streams) {
+                     Shape& streams) {
     const std::size_t vertex_count = streams.mesh.positions_m.size();
     std::vector<std::vector<std::uint32_t>> joints;
     std::vector<std::vector<float>> weights;
@@ -145,9 +145,9 @@ void read_influences(Import& import, const tinygltf::Primitive& primitive, const
 
 }  // namespace
 
-base::Result<Streams> read_streams(Import& import, const tinygltf::Primitive& primitive,
-                                   const std::string& where) {
-    Streams streams;
+base::Result<Shape> read_streams(Import& import, const tinygltf::Primitive& primitive,
+                                 const std::string& where) {
+    Shape streams;
     Mesh& mesh = streams.mesh;
     auto positions = read_positions(import, primitive, where);
     if (!positions) return tl::unexpected(positions.error());
@@ -178,58 +178,37 @@ base::Result<Streams> read_streams(Import& import, const tinygltf::Primitive& pr
     return streams;
 }
 
-base::Status apply_morphs(Import& import, const tinygltf::Primitive& primitive,
-                          std::span<const double> weights, const std::string& where, Mesh& mesh) {
-    for (std::size_t t = 0; t < primitive.targets.size() && t < weights.size(); ++t) {
-        const auto weight = static_cast<float>(weights[t]);
-        if (weight == 0.0F || !std::isfinite(weight)) continue;
+base::Status read_targets(Import& import, const tinygltf::Primitive& primitive,
+                          std::span<const float> weights, const std::string& where, Shape& shape) {
+    const std::size_t count = shape.mesh.positions_m.size();
+    for (std::size_t t = 0; t < primitive.targets.size(); ++t) {
+        MorphTarget& to = shape.targets.emplace_back();
+        const bool is_used = t < weights.size() && weights[t] != 0.0F;
+        if (!is_used && !import.has_clips) continue;
         tinygltf::Primitive target;
         target.attributes = primitive.targets[t];
         const std::string at = fmt::format("{}/targets/{}", where, t);
-        const std::size_t count = mesh.positions_m.size();
+        if (auto taken = import.take_memory(count * sizeof(Vec3) * 3, at); !taken) return taken;
         auto positions = read_stream<Vec3>(import, target, "POSITION", at, count);
         if (!positions) return base::fail(positions.error());
         auto normals = read_stream<Vec3>(import, target, "NORMAL", at, count);
         if (!normals) return base::fail(normals.error());
         auto tangents = read_stream<Vec3>(import, target, "TANGENT", at, count);
         if (!tangents) return base::fail(tangents.error());
-        for (std::size_t v = 0; v < positions->size(); ++v)
-            mesh.positions_m[v] += weight * (*positions)[v];
-        if (!mesh.normals.empty())
-            for (std::size_t v = 0; v < normals->size(); ++v)
-                mesh.normals[v] += weight * (*normals)[v];
-        if (!mesh.tangents.empty())
-            for (std::size_t v = 0; v < tangents->size(); ++v)
-                mesh.tangents[v] += Vec4(weight * (*tangents)[v], 0.0F);
+        to = {std::move(*positions), std::move(*normals), std::move(*tangents)};
     }
     return {};
 }
 
-base::Status apply_skin(std::span<const Mat4> joints, const std::string& where, Streams& streams) {
-    Mesh& mesh = streams.mesh;
-    for (std::size_t v = 0; v < mesh.positions_m.size(); ++v) {
-        Mat4 matrix(0.0F);
-        float sum = 0.0F;
-        for (std::size_t i = v * streams.influence_count; i < (v + 1) * streams.influence_count;
-             ++i) {
-            if (streams.joint_weights[i] == 0.0F) continue;
-            if (streams.joints[i] >= joints.size())
-                return base::fail({.code = base::ErrorCode::input_invalid,
-                                   .where = where + "/attributes/JOINTS_0",
-                                   .what = "joint index out of range",
-                                   .found = fmt::format("{} of vertex {}, but there are {}",
-                                                        streams.joints[i], v, joints.size())});
-            matrix += joints[streams.joints[i]] * streams.joint_weights[i];
-            sum += streams.joint_weights[i];
-        }
-        if (sum == 0.0F) continue;
-        mesh.positions_m[v] = Vec3(matrix * Vec4(mesh.positions_m[v], 1.0F));
-        const Mat3 linear(matrix);
-        if (!mesh.normals.empty() && glm::determinant(linear) != 0.0F)
-            mesh.normals[v] = math::transpose(math::inverse(linear)) * mesh.normals[v];
-        if (!mesh.tangents.empty())
-            mesh.tangents[v] = Vec4(linear * Vec3(mesh.tangents[v]), mesh.tangents[v].w);
-    }
+base::Status check_joints(const Shape& shape, std::size_t joint_count, const std::string& where) {
+    for (std::size_t i = 0; i < shape.joints.size(); ++i)
+        if (shape.joint_weights[i] != 0.0F && shape.joints[i] >= joint_count)
+            return base::fail(
+                {.code = ErrorCode::input_invalid,
+                 .where = where + "/attributes/JOINTS_0",
+                 .what = "joint index out of range",
+                 .found = fmt::format("{} of vertex {}, but there are {}", shape.joints[i],
+                                      i / shape.influence_count, joint_count)});
     return {};
 }
 

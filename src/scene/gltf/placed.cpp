@@ -2,30 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "scene/gltf/placed.h"
 
+#include "scene/animate.h"
+
 #include <spdlog/fmt/fmt.h>
 
 #include <cmath>
 
 namespace facet::scene::gltf {
-namespace {
-
-Vec3 unit_or(const Vec3& v, const Vec3& otherwise) {
-    const float size = math::length(v);
-    return size > 0.0F && std::isfinite(size) ? v / size : otherwise;
-}
-
-/// Rotation and translation of `matrix`: z and y kept as they are seen, x made to fit, so that a
-/// mirrored node still gives a camera that is not mirrored.
-Mat4 rigid(const Mat4& matrix) {
-    const Vec3 z = unit_or(Vec3(matrix[2]), Vec3(0.0F, 0.0F, 1.0F));
-    const Vec3 spare = std::fabs(z.y) < 0.9F ? Vec3(0.0F, 1.0F, 0.0F) : Vec3(1.0F, 0.0F, 0.0F);
-    const Vec3 x = unit_or(math::cross(unit_or(Vec3(matrix[1]), spare), z),
-                           unit_or(math::cross(spare, z), spare));
-    const Vec3 y = math::cross(z, x);
-    return {Vec4(x, 0.0F), Vec4(y, 0.0F), Vec4(z, 0.0F), Vec4(Vec3(matrix[3]), 1.0F)};
-}
-
-}  // namespace
 
 void place_camera(Import& import, std::uint32_t node_index, const Mat4& world_from_node) {
     const tinygltf::Node& node = import.model.nodes[node_index];
@@ -35,7 +18,8 @@ void place_camera(Import& import, std::uint32_t node_index, const Mat4& world_fr
     to.name = !from.name.empty()   ? from.name
               : !node.name.empty() ? node.name
                                    : fmt::format("camera {}", node.camera);
-    to.world_from_view = rigid(world_from_node);
+    to.source_node = node_index;
+    place(to, world_from_node);
     if (from.type == "orthographic") {
         to.projection = Projection::orthographic;
         to.ymag_m = static_cast<float>(std::fabs(from.orthographic.ymag));
@@ -79,8 +63,7 @@ void place_light(Import& import, std::uint32_t node_index, const Mat4& world_fro
         const Json* const stands_in = find_path((*lights)[*index], "extras/facet/stands_in");
         to.stands_in = stands_in != nullptr && *stands_in == true;
     }
-    to.position_m = Vec3(world_from_node[3]);
-    to.direction = -unit_or(Vec3(world_from_node[2]), Vec3(0.0F, 0.0F, 1.0F));
+    place(to, world_from_node);
     to.range_m = static_cast<float>(from.range);
     to.inner_cone_rad = static_cast<float>(from.spot.innerConeAngle);
     to.outer_cone_rad = static_cast<float>(from.spot.outerConeAngle);

@@ -121,6 +121,7 @@ bool read_dense(Reading& r) {
         view_index ? element_at(r.asset.json, "bufferViews", *view_index) : nullptr;
     if (view == nullptr) return false;
     a.view = view_index;
+    a.is_lossy = r.asset.views[*view_index].is_lossy;
     if (find(r.json, "byteOffset") != nullptr && !unsigned_at(r.json, "byteOffset")) return false;
     const std::uint64_t offset = unsigned_at(r.json, "byteOffset").value_or(0);
     bool is_sound = check_alignment(r, offset, *view);

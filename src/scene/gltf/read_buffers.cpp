@@ -1,6 +1,7 @@
 // Buffers and buffer views: fetched, measured, and their ranges checked.
 // SPDX-License-Identifier: MIT
 #include "scene/gltf/asset.h"
+#include "scene/gltf/meshopt.h"
 #include "scene/gltf/uri.h"
 
 #include <spdlog/fmt/fmt.h>
@@ -49,9 +50,13 @@ void check_data_uri_mime(const std::string& uri, const std::string& where, Probl
                        "wrong media type of a buffer", std::string(mime.substr(0, 80)));
 }
 
-/// Buffers of EXT_meshopt_compression whose bytes only a decoder could make.
+/// Buffers that hold, if anything, what a decoder makes of compressed views as well.
 bool is_fallback(const Json& json) {
-    return find_path(json, "extensions/EXT_meshopt_compression/fallback") != nullptr;
+    for (const std::string_view name : meshopt_extensions)
+        if (const Json* const use = find_path(json, fmt::format("extensions/{}", name));
+            use != nullptr && bool_at(*use, "fallback").value_or(false))
+            return true;
+    return false;
 }
 
 void fetch(Asset& asset, const std::string& uri, std::uint64_t length, Buffer& buffer,
@@ -92,7 +97,7 @@ void read_buffer(Asset& asset, std::size_t index, const base::Limits& limits, Pr
     if (find(json, "uri") != nullptr) {
         if (find(json, "uri")->is_string())
             fetch(asset, uri, length.value_or(0), buffer, where, problems);
-    } else if (index == 0 && asset.is_glb && length && *length > 0) {
+    } else if (index == 0 && asset.is_glb && length && *length > 0 && !is_fallback(json)) {
         take_bin(asset, *length, buffer, problems);
     } else if (!is_fallback(json) && length) {
         problems.note(Severity::information, "BUFFER_WITHOUT_DATA", where, "buffer has no bytes");

@@ -13,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace facet::scene::gltf {
 namespace {
@@ -324,15 +325,17 @@ base::Status save_materials(Document& document, const Scene& original, const Sce
                             base::Warnings& warnings) {
     Saver saver{document, original, edited, place, limits, warnings};
     std::map<std::uint32_t, bool> saved;
+    bool is_default_saved = false;
     for (std::size_t i = 0; i < edited.materials.size() && i < original.materials.size(); ++i) {
         const Material& before = original.materials[i];
         const Material& after = edited.materials[i];
         if (!differs(before, after)) continue;
+        // Copies of one material, made for meshes that lack coordinates or normals, are one in the
+        // file.
         if (!after.source) {
-            save_default(saver, after);
+            if (!std::exchange(is_default_saved, true)) save_default(saver, after);
             continue;
         }
-        // Copies of one material, made for meshes that lack coordinates, are one in the file.
         if (saved[*after.source]) continue;
         saved[*after.source] = true;
         if (auto s = save_material(saver, *after.source, before, after); !s) return s;

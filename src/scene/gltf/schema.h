@@ -34,7 +34,7 @@ enum class Kind : std::uint8_t {
 /// Whether `word` is one of "A|B|C".
 [[nodiscard]] bool is_listed(std::string_view list, std::string_view word);
 
-struct Shape;
+struct ObjectShape;
 
 /// One property of an object. Indices are integers that refer to another array.
 struct Rule {
@@ -50,10 +50,10 @@ struct Rule {
     bool is_unique = false;           ///< no two elements alike
     std::string_view refers_to = {};  ///< path of the array that the index is into
     std::string_view needs = {};      ///< property that must stand beside
-    const Shape* shape = nullptr;
+    const ObjectShape* shape = nullptr;
 };
 
-struct Shape {
+struct ObjectShape {
     std::string_view name;  ///< what extensions say they extend
     std::span<const Rule> rules;
     bool is_closed = true;  ///< no name, extensions and extras beyond the rules
@@ -62,28 +62,32 @@ struct Shape {
 /// An extension object: where it may stand and what is in it. No shape: nothing is known of it.
 struct ExtensionRule {
     std::string_view name;
-    std::string_view host;  ///< Shape::name
-    const Shape* shape = nullptr;
+    std::string_view host;  ///< ObjectShape::name
+    const ObjectShape* shape = nullptr;
 };
 
-[[nodiscard]] const Shape& document_shape();
+[[nodiscard]] const ObjectShape& document_shape();
 [[nodiscard]] std::span<const ExtensionRule> extension_rules();
 /// Parts of the table, one file each.
-[[nodiscard]] const Shape& accessor_shape();
-[[nodiscard]] const Shape& buffer_shape();
-[[nodiscard]] const Shape& buffer_view_shape();
-[[nodiscard]] const Shape& mesh_shape();
-[[nodiscard]] const Shape& node_shape();
-[[nodiscard]] const Shape& scene_shape();
-[[nodiscard]] const Shape& skin_shape();
-[[nodiscard]] const Shape& camera_shape();
-[[nodiscard]] const Shape& animation_shape();
-[[nodiscard]] const Shape& material_shape();
-[[nodiscard]] const Shape& texture_info_shape();
-[[nodiscard]] const Shape& normal_texture_info_shape();
-[[nodiscard]] const Shape& texture_shape();
-[[nodiscard]] const Shape& image_shape();
-[[nodiscard]] const Shape& sampler_shape();
+[[nodiscard]] const ObjectShape& accessor_shape();
+[[nodiscard]] const ObjectShape& buffer_shape();
+[[nodiscard]] const ObjectShape& buffer_view_shape();
+[[nodiscard]] const ObjectShape& mesh_shape();
+[[nodiscard]] const ObjectShape& node_shape();
+[[nodiscard]] const ObjectShape& scene_shape();
+[[nodiscard]] const ObjectShape& skin_shape();
+[[nodiscard]] const ObjectShape& camera_shape();
+[[nodiscard]] const ObjectShape& animation_shape();
+[[nodiscard]] const ObjectShape& material_shape();
+[[nodiscard]] const ObjectShape& texture_info_shape();
+[[nodiscard]] const ObjectShape& normal_texture_info_shape();
+[[nodiscard]] const ObjectShape& texture_shape();
+[[nodiscard]] const ObjectShape& image_shape();
+[[nodiscard]] const ObjectShape& sampler_shape();
+[[nodiscard]] const ObjectShape& draco_primitive_shape();
+[[nodiscard]] const ObjectShape& meshopt_buffer_shape();
+[[nodiscard]] const ObjectShape& ext_meshopt_view_shape();
+[[nodiscard]] const ObjectShape& khr_meshopt_view_shape();
 
 /// Adds every departure of `json` from the tables. Afterwards, where no error was added, every
 /// property has the type that the table says and every index an element.

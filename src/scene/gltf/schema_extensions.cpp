@@ -1,4 +1,4 @@
-// Shapes of the extension objects that the Khronos validator knows, and where each may stand.
+// Shapes of the extension objects known to the checks, and where each may stand.
 // SPDX-License-Identifier: MIT
 #include "scene/gltf/schema.h"
 
@@ -9,7 +9,7 @@ namespace {
 
 /// Tables that refer to the shapes of the core are made at first use.
 template <std::size_t count>
-Shape open_shape(std::string_view name, const std::array<Rule, count>& rules) {
+ObjectShape open_shape(std::string_view name, const std::array<Rule, count>& rules) {
     return {.name = name, .rules = rules};
 }
 
@@ -29,86 +29,105 @@ constexpr auto unit_color(std::string_view name, std::string_view lengths = "3")
     return Rule{.name = name, .kind = Kind::numbers, .low = 0, .high = 1, .lengths = lengths};
 }
 
-const Shape& anisotropy() {
+const ObjectShape& anisotropy() {
     static const std::array rules{unit("anisotropyStrength"),
                                   Rule{.name = "anisotropyRotation", .kind = Kind::number},
                                   map("anisotropyTexture")};
-    static const Shape shape = open_shape("anisotropy", rules);
+    static const ObjectShape shape = open_shape("anisotropy", rules);
     return shape;
 }
-const Shape& clearcoat() {
+const ObjectShape& clearcoat() {
     static const std::array rules{
         unit("clearcoatFactor"), map("clearcoatTexture"), unit("clearcoatRoughnessFactor"),
         map("clearcoatRoughnessTexture"), normal_map("clearcoatNormalTexture")};
-    static const Shape shape = open_shape("clearcoat", rules);
+    static const ObjectShape shape = open_shape("clearcoat", rules);
     return shape;
 }
-const Shape& dispersion() {
+const ObjectShape& diffuse_transmission() {
+    static const std::array rules{
+        unit("diffuseTransmissionFactor"), map("diffuseTransmissionTexture"),
+        unit_color("diffuseTransmissionColorFactor"), map("diffuseTransmissionColorTexture")};
+    static const ObjectShape shape = open_shape("diffuseTransmission", rules);
+    return shape;
+}
+const ObjectShape& dispersion() {
     static const std::array rules{not_negative("dispersion")};
-    static const Shape shape = open_shape("dispersion", rules);
+    static const ObjectShape shape = open_shape("dispersion", rules);
     return shape;
 }
-const Shape& emissive_strength() {
+const ObjectShape& emissive_strength() {
     static const std::array rules{not_negative("emissiveStrength")};
-    static const Shape shape = open_shape("emissiveStrength", rules);
+    static const ObjectShape shape = open_shape("emissiveStrength", rules);
     return shape;
 }
-const Shape& ior() {
+const ObjectShape& ior() {
     // 0 or at least 1; the gap is checked with the materials.
     static const std::array rules{not_negative("ior")};
-    static const Shape shape = open_shape("ior", rules);
+    static const ObjectShape shape = open_shape("ior", rules);
     return shape;
 }
-const Shape& iridescence() {
+const ObjectShape& iridescence() {
     static const std::array rules{unit("iridescenceFactor"),
                                   map("iridescenceTexture"),
                                   Rule{.name = "iridescenceIor", .kind = Kind::number, .low = 1},
                                   not_negative("iridescenceThicknessMinimum"),
                                   not_negative("iridescenceThicknessMaximum"),
                                   map("iridescenceThicknessTexture")};
-    static const Shape shape = open_shape("iridescence", rules);
+    static const ObjectShape shape = open_shape("iridescence", rules);
     return shape;
 }
-const Shape& specular_glossiness() {
+const ObjectShape& specular_glossiness() {
     static const std::array rules{unit_color("diffuseFactor", "4"), map("diffuseTexture"),
                                   unit_color("specularFactor"), unit("glossinessFactor"),
                                   map("specularGlossinessTexture")};
-    static const Shape shape = open_shape("specularGlossiness", rules);
+    static const ObjectShape shape = open_shape("specularGlossiness", rules);
     return shape;
 }
-const Shape& sheen() {
+const ObjectShape& sheen() {
     static const std::array rules{unit_color("sheenColorFactor"), map("sheenColorTexture"),
                                   unit("sheenRoughnessFactor"), map("sheenRoughnessTexture")};
-    static const Shape shape = open_shape("sheen", rules);
+    static const ObjectShape shape = open_shape("sheen", rules);
     return shape;
 }
-const Shape& specular() {
+const ObjectShape& specular() {
     static const std::array rules{
         unit("specularFactor"), map("specularTexture"),
         Rule{.name = "specularColorFactor", .kind = Kind::numbers, .low = 0, .lengths = "3"},
         map("specularColorTexture")};
-    static const Shape shape = open_shape("specular", rules);
+    static const ObjectShape shape = open_shape("specular", rules);
     return shape;
 }
-const Shape& transmission() {
+const ObjectShape& transmission() {
     static const std::array rules{unit("transmissionFactor"), map("transmissionTexture")};
-    static const Shape shape = open_shape("transmission", rules);
+    static const ObjectShape shape = open_shape("transmission", rules);
     return shape;
 }
-const Shape& volume() {
+const ObjectShape& volume() {
     static const std::array rules{
         not_negative("thicknessFactor"), map("thicknessTexture"),
         Rule{.name = "attenuationDistance", .kind = Kind::number, .low = 0, .excludes_low = true},
         unit_color("attenuationColor")};
-    static const Shape shape = open_shape("volume", rules);
+    static const ObjectShape shape = open_shape("volume", rules);
     return shape;
 }
-const Shape& empty() {
-    static const Shape shape{.name = "empty", .rules = {}};
+const ObjectShape& volume_scatter() {
+    static const std::array rules{unit_color("multiscatterColorFactor"),
+                                  unit_color("multiscatterColor"),  // of older drafts
+                                  Rule{.name = "scatterAnisotropy",
+                                       .kind = Kind::number,
+                                       .low = -1,
+                                       .high = 1,
+                                       .excludes_low = true,
+                                       .excludes_high = true}};
+    static const ObjectShape shape = open_shape("volumeScatter", rules);
+    return shape;
+}
+const ObjectShape& empty() {
+    static const ObjectShape shape{.name = "empty", .rules = {}};
     return shape;
 }
 
-const Shape& spot() {
+const ObjectShape& spot() {
     static constexpr double half_pi = 1.5707963267948966;
     static const std::array rules{Rule{.name = "innerConeAngle",
                                        .kind = Kind::number,
@@ -120,10 +139,10 @@ const Shape& spot() {
                                        .low = 0,
                                        .high = half_pi,
                                        .excludes_low = true}};
-    static const Shape shape = open_shape("spot", rules);
+    static const ObjectShape shape = open_shape("spot", rules);
     return shape;
 }
-const Shape& lights() {
+const ObjectShape& lights() {
     static const std::array light_rules{
         unit_color("color"), not_negative("intensity"),
         Rule{.name = "spot", .kind = Kind::object, .shape = &spot()},
@@ -132,30 +151,30 @@ const Shape& lights() {
              .is_required = true,
              .words = "directional|point|spot"},
         Rule{.name = "range", .kind = Kind::number, .low = 0, .excludes_low = true}};
-    static const Shape light = open_shape("light", light_rules);
+    static const ObjectShape light = open_shape("light", light_rules);
     static const std::array rules{
         Rule{.name = "lights", .kind = Kind::objects, .is_required = true, .shape = &light}};
-    static const Shape shape = open_shape("lights", rules);
+    static const ObjectShape shape = open_shape("lights", rules);
     return shape;
 }
-const Shape& light_use() {
+const ObjectShape& light_use() {
     static const std::array rules{Rule{.name = "light",
                                        .kind = Kind::integer,
                                        .is_required = true,
                                        .refers_to = "extensions/KHR_lights_punctual/lights"}};
-    static const Shape shape = open_shape("lightUse", rules);
+    static const ObjectShape shape = open_shape("lightUse", rules);
     return shape;
 }
-const Shape& variants() {
+const ObjectShape& variants() {
     static const std::array variant_rules{
         Rule{.name = "name", .kind = Kind::string, .is_required = true}};
-    static const Shape variant = open_shape("variant", variant_rules);
+    static const ObjectShape variant = open_shape("variant", variant_rules);
     static const std::array rules{
         Rule{.name = "variants", .kind = Kind::objects, .is_required = true, .shape = &variant}};
-    static const Shape shape = open_shape("variants", rules);
+    static const ObjectShape shape = open_shape("variants", rules);
     return shape;
 }
-const Shape& variant_use() {
+const ObjectShape& variant_use() {
     static const std::array mapping_rules{
         Rule{.name = "variants",
              .kind = Kind::integers,
@@ -166,35 +185,35 @@ const Shape& variant_use() {
              .kind = Kind::integer,
              .is_required = true,
              .refers_to = "materials"}};
-    static const Shape mapping = open_shape("variantMapping", mapping_rules);
+    static const ObjectShape mapping = open_shape("variantMapping", mapping_rules);
     static const std::array rules{
         Rule{.name = "mappings", .kind = Kind::objects, .is_required = true, .shape = &mapping}};
-    static const Shape shape = open_shape("variantUse", rules);
+    static const ObjectShape shape = open_shape("variantUse", rules);
     return shape;
 }
-const Shape& texture_transform() {
+const ObjectShape& texture_transform() {
     static const std::array rules{Rule{.name = "offset", .kind = Kind::numbers, .lengths = "2"},
                                   Rule{.name = "rotation", .kind = Kind::number},
                                   Rule{.name = "scale", .kind = Kind::numbers, .lengths = "2"},
                                   Rule{.name = "texCoord", .kind = Kind::integer, .low = 0}};
-    static const Shape shape = open_shape("textureTransform", rules);
+    static const ObjectShape shape = open_shape("textureTransform", rules);
     return shape;
 }
-const Shape& webp() {
+const ObjectShape& webp() {
     static const std::array rules{
         Rule{.name = "source", .kind = Kind::integer, .refers_to = "images"}};
-    static const Shape shape = open_shape("webp", rules);
+    static const ObjectShape shape = open_shape("webp", rules);
     return shape;
 }
-const Shape& visibility() {
+const ObjectShape& visibility() {
     static const std::array rules{Rule{.name = "visible", .kind = Kind::boolean}};
-    static const Shape shape = open_shape("visibility", rules);
+    static const ObjectShape shape = open_shape("visibility", rules);
     return shape;
 }
-const Shape& animation_pointer() {
+const ObjectShape& animation_pointer() {
     static const std::array rules{
         Rule{.name = "pointer", .kind = Kind::string, .is_required = true}};
-    static const Shape shape = open_shape("animationPointer", rules);
+    static const ObjectShape shape = open_shape("animationPointer", rules);
     return shape;
 }
 
@@ -204,6 +223,7 @@ std::span<const ExtensionRule> extension_rules() {
     static const auto rules = std::to_array<ExtensionRule>(
         {{"KHR_materials_anisotropy", "material", &anisotropy()},
          {"KHR_materials_clearcoat", "material", &clearcoat()},
+         {"KHR_materials_diffuse_transmission", "material", &diffuse_transmission()},
          {"KHR_materials_dispersion", "material", &dispersion()},
          {"KHR_materials_emissive_strength", "material", &emissive_strength()},
          {"KHR_materials_ior", "material", &ior()},
@@ -214,6 +234,7 @@ std::span<const ExtensionRule> extension_rules() {
          {"KHR_materials_transmission", "material", &transmission()},
          {"KHR_materials_unlit", "material", &empty()},
          {"KHR_materials_volume", "material", &volume()},
+         {"KHR_materials_volume_scatter", "material", &volume_scatter()},
          {"KHR_lights_punctual", "document", &lights()},
          {"KHR_lights_punctual", "node", &light_use()},
          {"KHR_materials_variants", "document", &variants()},
@@ -222,6 +243,11 @@ std::span<const ExtensionRule> extension_rules() {
          {"KHR_node_visibility", "node", &visibility()},
          {"KHR_animation_pointer", "animationChannelTarget", &animation_pointer()},
          {"EXT_texture_webp", "texture", &webp()},
+         {"KHR_draco_mesh_compression", "primitive", &draco_primitive_shape()},
+         {"EXT_meshopt_compression", "buffer", &meshopt_buffer_shape()},
+         {"EXT_meshopt_compression", "bufferView", &ext_meshopt_view_shape()},
+         {"KHR_meshopt_compression", "buffer", &meshopt_buffer_shape()},
+         {"KHR_meshopt_compression", "bufferView", &khr_meshopt_view_shape()},
          {"KHR_mesh_quantization", "", nullptr}});
     return rules;
 }

@@ -16,7 +16,7 @@ constexpr auto buffer_rules = std::to_array<Rule>({{.name = "uri", .kind = Kind:
                                                     .is_required = true,
                                                     .low = 1,
                                                     .high = size_max}});
-constexpr Shape buffer{.name = "buffer", .rules = buffer_rules};
+constexpr ObjectShape buffer{.name = "buffer", .rules = buffer_rules};
 
 constexpr auto view_rules = std::to_array<Rule>(
     {{.name = "buffer", .kind = Kind::integer, .is_required = true, .refers_to = "buffers"},
@@ -24,7 +24,7 @@ constexpr auto view_rules = std::to_array<Rule>(
      {.name = "byteLength", .kind = Kind::integer, .is_required = true, .low = 1, .high = size_max},
      {.name = "byteStride", .kind = Kind::integer, .low = 4, .high = 252},
      {.name = "target", .kind = Kind::integer, .words = "34962|34963"}});
-constexpr Shape view{.name = "bufferView", .rules = view_rules};
+constexpr ObjectShape view{.name = "bufferView", .rules = view_rules};
 
 constexpr auto sparse_index_rules = std::to_array<Rule>(
     {{.name = "bufferView", .kind = Kind::integer, .is_required = true, .refers_to = "bufferViews"},
@@ -33,18 +33,18 @@ constexpr auto sparse_index_rules = std::to_array<Rule>(
       .kind = Kind::integer,
       .is_required = true,
       .words = "5121|5123|5125"}});
-constexpr Shape sparse_indices{.name = "accessorSparseIndices", .rules = sparse_index_rules};
+constexpr ObjectShape sparse_indices{.name = "accessorSparseIndices", .rules = sparse_index_rules};
 
 constexpr auto sparse_value_rules = std::to_array<Rule>(
     {{.name = "bufferView", .kind = Kind::integer, .is_required = true, .refers_to = "bufferViews"},
      {.name = "byteOffset", .kind = Kind::integer, .low = 0, .high = int_max}});
-constexpr Shape sparse_values{.name = "accessorSparseValues", .rules = sparse_value_rules};
+constexpr ObjectShape sparse_values{.name = "accessorSparseValues", .rules = sparse_value_rules};
 
 constexpr auto sparse_rules = std::to_array<Rule>(
     {{.name = "count", .kind = Kind::integer, .is_required = true, .low = 1, .high = int_max},
      {.name = "indices", .kind = Kind::object, .is_required = true, .shape = &sparse_indices},
      {.name = "values", .kind = Kind::object, .is_required = true, .shape = &sparse_values}});
-constexpr Shape sparse{.name = "accessorSparse", .rules = sparse_rules};
+constexpr ObjectShape sparse{.name = "accessorSparse", .rules = sparse_rules};
 
 constexpr auto accessor_rules = std::to_array<Rule>(
     {{.name = "bufferView", .kind = Kind::integer, .refers_to = "bufferViews"},
@@ -66,7 +66,7 @@ constexpr auto accessor_rules = std::to_array<Rule>(
      {.name = "max", .kind = Kind::numbers, .lengths = "1|2|3|4|9|16"},
      {.name = "min", .kind = Kind::numbers, .lengths = "1|2|3|4|9|16"},
      {.name = "sparse", .kind = Kind::object, .shape = &sparse}});
-constexpr Shape accessor{.name = "accessor", .rules = accessor_rules};
+constexpr ObjectShape accessor{.name = "accessor", .rules = accessor_rules};
 
 constexpr auto primitive_rules = std::to_array<Rule>(
     {{.name = "attributes", .kind = Kind::index_map, .is_required = true, .refers_to = "accessors"},
@@ -74,12 +74,12 @@ constexpr auto primitive_rules = std::to_array<Rule>(
      {.name = "material", .kind = Kind::integer, .refers_to = "materials"},
      {.name = "mode", .kind = Kind::integer, .words = "0|1|2|3|4|5|6"},
      {.name = "targets", .kind = Kind::index_maps, .refers_to = "accessors"}});
-constexpr Shape primitive{.name = "primitive", .rules = primitive_rules};
+constexpr ObjectShape primitive{.name = "primitive", .rules = primitive_rules};
 
 constexpr auto mesh_rules = std::to_array<Rule>(
     {{.name = "primitives", .kind = Kind::objects, .is_required = true, .shape = &primitive},
      {.name = "weights", .kind = Kind::numbers}});
-constexpr Shape mesh{.name = "mesh", .rules = mesh_rules};
+constexpr ObjectShape mesh{.name = "mesh", .rules = mesh_rules};
 
 constexpr auto skin_rules = std::to_array<Rule>(
     {{.name = "inverseBindMatrices", .kind = Kind::integer, .refers_to = "accessors"},
@@ -89,14 +89,14 @@ constexpr auto skin_rules = std::to_array<Rule>(
       .is_required = true,
       .is_unique = true,
       .refers_to = "nodes"}});
-constexpr Shape skin{.name = "skin", .rules = skin_rules};
+constexpr ObjectShape skin{.name = "skin", .rules = skin_rules};
 
 }  // namespace
 
-const Shape& buffer_shape() { return buffer; }
-const Shape& buffer_view_shape() { return view; }
-const Shape& accessor_shape() { return accessor; }
-const Shape& mesh_shape() { return mesh; }
-const Shape& skin_shape() { return skin; }
+const ObjectShape& buffer_shape() { return buffer; }
+const ObjectShape& buffer_view_shape() { return view; }
+const ObjectShape& accessor_shape() { return accessor; }
+const ObjectShape& mesh_shape() { return mesh; }
+const ObjectShape& skin_shape() { return skin; }
 
 }  // namespace facet::scene::gltf

@@ -10,19 +10,19 @@ namespace {
 constexpr auto texture_info_rules = std::to_array<Rule>(
     {{.name = "index", .kind = Kind::integer, .is_required = true, .refers_to = "textures"},
      {.name = "texCoord", .kind = Kind::integer, .low = 0}});
-constexpr Shape texture_info{.name = "textureInfo", .rules = texture_info_rules};
+constexpr ObjectShape texture_info{.name = "textureInfo", .rules = texture_info_rules};
 
 constexpr auto normal_info_rules = std::to_array<Rule>(
     {{.name = "index", .kind = Kind::integer, .is_required = true, .refers_to = "textures"},
      {.name = "texCoord", .kind = Kind::integer, .low = 0},
      {.name = "scale", .kind = Kind::number}});
-constexpr Shape normal_info{.name = "textureInfo", .rules = normal_info_rules};
+constexpr ObjectShape normal_info{.name = "textureInfo", .rules = normal_info_rules};
 
 constexpr auto occlusion_info_rules = std::to_array<Rule>(
     {{.name = "index", .kind = Kind::integer, .is_required = true, .refers_to = "textures"},
      {.name = "texCoord", .kind = Kind::integer, .low = 0},
      {.name = "strength", .kind = Kind::number, .low = 0, .high = 1}});
-constexpr Shape occlusion_info{.name = "textureInfo", .rules = occlusion_info_rules};
+constexpr ObjectShape occlusion_info{.name = "textureInfo", .rules = occlusion_info_rules};
 
 constexpr auto pbr_rules = std::to_array<Rule>(
     {{.name = "baseColorFactor", .kind = Kind::numbers, .low = 0, .high = 1, .lengths = "4"},
@@ -30,7 +30,7 @@ constexpr auto pbr_rules = std::to_array<Rule>(
      {.name = "metallicFactor", .kind = Kind::number, .low = 0, .high = 1},
      {.name = "roughnessFactor", .kind = Kind::number, .low = 0, .high = 1},
      {.name = "metallicRoughnessTexture", .kind = Kind::object, .shape = &texture_info}});
-constexpr Shape pbr{.name = "pbrMetallicRoughness", .rules = pbr_rules};
+constexpr ObjectShape pbr{.name = "pbrMetallicRoughness", .rules = pbr_rules};
 
 constexpr auto material_rules = std::to_array<Rule>(
     {{.name = "pbrMetallicRoughness", .kind = Kind::object, .shape = &pbr},
@@ -41,12 +41,12 @@ constexpr auto material_rules = std::to_array<Rule>(
      {.name = "alphaMode", .kind = Kind::string, .words = "OPAQUE|MASK|BLEND"},
      {.name = "alphaCutoff", .kind = Kind::number, .low = 0},
      {.name = "doubleSided", .kind = Kind::boolean}});
-constexpr Shape material{.name = "material", .rules = material_rules};
+constexpr ObjectShape material{.name = "material", .rules = material_rules};
 
 constexpr auto texture_rules =
     std::to_array<Rule>({{.name = "sampler", .kind = Kind::integer, .refers_to = "samplers"},
                          {.name = "source", .kind = Kind::integer, .refers_to = "images"}});
-constexpr Shape texture{.name = "texture", .rules = texture_rules};
+constexpr ObjectShape texture{.name = "texture", .rules = texture_rules};
 
 constexpr auto image_rules = std::to_array<Rule>({{.name = "uri", .kind = Kind::string},
                                                   {.name = "mimeType", .kind = Kind::string},
@@ -54,22 +54,22 @@ constexpr auto image_rules = std::to_array<Rule>({{.name = "uri", .kind = Kind::
                                                    .kind = Kind::integer,
                                                    .refers_to = "bufferViews",
                                                    .needs = "mimeType"}});
-constexpr Shape image{.name = "image", .rules = image_rules};
+constexpr ObjectShape image{.name = "image", .rules = image_rules};
 
 constexpr auto sampler_rules = std::to_array<Rule>(
     {{.name = "magFilter", .kind = Kind::integer, .words = "9728|9729"},
      {.name = "minFilter", .kind = Kind::integer, .words = "9728|9729|9984|9985|9986|9987"},
      {.name = "wrapS", .kind = Kind::integer, .words = "33071|33648|10497"},
      {.name = "wrapT", .kind = Kind::integer, .words = "33071|33648|10497"}});
-constexpr Shape sampler{.name = "sampler", .rules = sampler_rules};
+constexpr ObjectShape sampler{.name = "sampler", .rules = sampler_rules};
 
 }  // namespace
 
-const Shape& material_shape() { return material; }
-const Shape& texture_info_shape() { return texture_info; }
-const Shape& normal_texture_info_shape() { return normal_info; }
-const Shape& texture_shape() { return texture; }
-const Shape& image_shape() { return image; }
-const Shape& sampler_shape() { return sampler; }
+const ObjectShape& material_shape() { return material; }
+const ObjectShape& texture_info_shape() { return texture_info; }
+const ObjectShape& normal_texture_info_shape() { return normal_info; }
+const ObjectShape& texture_shape() { return texture; }
+const ObjectShape& image_shape() { return image; }
+const ObjectShape& sampler_shape() { return sampler; }
 
 }  // namespace facet::scene::gltf

@@ -17,25 +17,25 @@ constexpr auto node_rules = std::to_array<Rule>(
      {.name = "scale", .kind = Kind::numbers, .lengths = "3"},
      {.name = "translation", .kind = Kind::numbers, .lengths = "3"},
      {.name = "weights", .kind = Kind::numbers, .needs = "mesh"}});
-constexpr Shape node{.name = "node", .rules = node_rules};
+constexpr ObjectShape node{.name = "node", .rules = node_rules};
 
 constexpr auto scene_rules = std::to_array<Rule>(
     {{.name = "nodes", .kind = Kind::integers, .is_unique = true, .refers_to = "nodes"}});
-constexpr Shape scene{.name = "scene", .rules = scene_rules};
+constexpr ObjectShape scene{.name = "scene", .rules = scene_rules};
 
 constexpr auto orthographic_rules = std::to_array<Rule>(
     {{.name = "xmag", .kind = Kind::number, .is_required = true},
      {.name = "ymag", .kind = Kind::number, .is_required = true},
      {.name = "zfar", .kind = Kind::number, .is_required = true, .low = 0, .excludes_low = true},
      {.name = "znear", .kind = Kind::number, .is_required = true, .low = 0}});
-constexpr Shape orthographic{.name = "cameraOrthographic", .rules = orthographic_rules};
+constexpr ObjectShape orthographic{.name = "cameraOrthographic", .rules = orthographic_rules};
 
 constexpr auto perspective_rules = std::to_array<Rule>(
     {{.name = "aspectRatio", .kind = Kind::number, .low = 0, .excludes_low = true},
      {.name = "yfov", .kind = Kind::number, .is_required = true, .low = 0, .excludes_low = true},
      {.name = "zfar", .kind = Kind::number, .low = 0, .excludes_low = true},
      {.name = "znear", .kind = Kind::number, .is_required = true, .low = 0, .excludes_low = true}});
-constexpr Shape perspective{.name = "cameraPerspective", .rules = perspective_rules};
+constexpr ObjectShape perspective{.name = "cameraPerspective", .rules = perspective_rules};
 
 constexpr auto camera_rules =
     std::to_array<Rule>({{.name = "orthographic", .kind = Kind::object, .shape = &orthographic},
@@ -44,7 +44,7 @@ constexpr auto camera_rules =
                           .kind = Kind::string,
                           .is_required = true,
                           .words = "orthographic|perspective"}});
-constexpr Shape camera{.name = "camera", .rules = camera_rules};
+constexpr ObjectShape camera{.name = "camera", .rules = camera_rules};
 
 constexpr auto target_rules =
     std::to_array<Rule>({{.name = "node", .kind = Kind::integer, .refers_to = "nodes"},
@@ -52,18 +52,19 @@ constexpr auto target_rules =
                           .kind = Kind::string,
                           .is_required = true,
                           .words = "translation|rotation|scale|weights|pointer"}});
-constexpr Shape target{.name = "animationChannelTarget", .rules = target_rules};
+constexpr ObjectShape target{.name = "animationChannelTarget", .rules = target_rules};
 
 constexpr auto channel_rules = std::to_array<Rule>(
     {{.name = "sampler", .kind = Kind::integer, .is_required = true, .low = 0},
      {.name = "target", .kind = Kind::object, .is_required = true, .shape = &target}});
-constexpr Shape channel{.name = "animationChannel", .rules = channel_rules};
+constexpr ObjectShape channel{.name = "animationChannel", .rules = channel_rules};
 
 constexpr auto animation_sampler_rules = std::to_array<Rule>(
     {{.name = "input", .kind = Kind::integer, .is_required = true, .refers_to = "accessors"},
      {.name = "interpolation", .kind = Kind::string, .words = "LINEAR|STEP|CUBICSPLINE"},
      {.name = "output", .kind = Kind::integer, .is_required = true, .refers_to = "accessors"}});
-constexpr Shape animation_sampler{.name = "animationSampler", .rules = animation_sampler_rules};
+constexpr ObjectShape animation_sampler{.name = "animationSampler",
+                                        .rules = animation_sampler_rules};
 
 constexpr auto animation_rules = std::to_array<Rule>(
     {{.name = "channels", .kind = Kind::objects, .is_required = true, .shape = &channel},
@@ -71,23 +72,23 @@ constexpr auto animation_rules = std::to_array<Rule>(
       .kind = Kind::objects,
       .is_required = true,
       .shape = &animation_sampler}});
-constexpr Shape animation{.name = "animation", .rules = animation_rules};
+constexpr ObjectShape animation{.name = "animation", .rules = animation_rules};
 
 constexpr auto asset_rules =
     std::to_array<Rule>({{.name = "copyright", .kind = Kind::string},
                          {.name = "generator", .kind = Kind::string},
                          {.name = "version", .kind = Kind::string, .is_required = true},
                          {.name = "minVersion", .kind = Kind::string}});
-constexpr Shape asset{.name = "asset", .rules = asset_rules};
+constexpr ObjectShape asset{.name = "asset", .rules = asset_rules};
 
 }  // namespace
 
-const Shape& node_shape() { return node; }
-const Shape& scene_shape() { return scene; }
-const Shape& camera_shape() { return camera; }
-const Shape& animation_shape() { return animation; }
+const ObjectShape& node_shape() { return node; }
+const ObjectShape& scene_shape() { return scene; }
+const ObjectShape& camera_shape() { return camera; }
+const ObjectShape& animation_shape() { return animation; }
 
-const Shape& document_shape() {
+const ObjectShape& document_shape() {
     static const auto rules = std::to_array<Rule>(
         {{.name = "extensionsUsed", .kind = Kind::strings, .is_unique = true},
          {.name = "extensionsRequired",
@@ -109,7 +110,7 @@ const Shape& document_shape() {
          {.name = "scenes", .kind = Kind::objects, .shape = &scene},
          {.name = "skins", .kind = Kind::objects, .shape = &skin_shape()},
          {.name = "textures", .kind = Kind::objects, .shape = &texture_shape()}});
-    static const Shape document{.name = "document", .rules = rules};
+    static const ObjectShape document{.name = "document", .rules = rules};
     return document;
 }
 

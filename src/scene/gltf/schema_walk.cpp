@@ -20,14 +20,14 @@ struct Walk {
     std::map<std::string_view, std::vector<bool>>
         referenced;  ///< by array, for objects nobody uses
 
-    void object(const Json& value, const Shape& shape, const Pointer& at);
+    void object(const Json& value, const ObjectShape& shape, const Pointer& at);
     void property(const Json& value, const Rule& rule, const Pointer& at);
     void element(const Json& value, const Rule& rule, const Pointer& at);
     void array(const Json& value, const Rule& rule, const Pointer& at);
     void reference(const Json& value, const Rule& rule, const Pointer& at);
     void index_map(const Json& value, const Rule& rule, const Pointer& at);
-    void extensions(const Json& value, const Shape& shape, const Pointer& at);
-    void extension(const std::string& name, const Json& value, const Shape& shape,
+    void extensions(const Json& value, const ObjectShape& shape, const Pointer& at);
+    void extension(const std::string& name, const Json& value, const ObjectShape& shape,
                    const Pointer& at);
     bool matches(const Json& value, Kind kind, const Pointer& at, bool is_element);
 };
@@ -136,7 +136,7 @@ void Walk::property(const Json& value, const Rule& rule, const Pointer& at) {
     }
 }
 
-void Walk::extension(const std::string& name, const Json& value, const Shape& shape,
+void Walk::extension(const std::string& name, const Json& value, const ObjectShape& shape,
                      const Pointer& at) {
     if (!declared.contains(name)) {
         problems.error("UNDECLARED_EXTENSION", at.text(),
@@ -157,24 +157,30 @@ void Walk::extension(const std::string& name, const Json& value, const Shape& sh
                        name);
 }
 
-void Walk::extensions(const Json& value, const Shape& shape, const Pointer& at) {
+void Walk::extensions(const Json& value, const ObjectShape& shape, const Pointer& at) {
     if (!matches(value, Kind::object, at, false)) return;
     for (const auto& [name, content] : value.items())
         extension(name, content, shape, at / std::string_view(name));
-    if (shape.name == "material" && value.size() > 1 &&
-        (value.contains("KHR_materials_unlit") ||
-         value.contains("KHR_materials_pbrSpecularGlossiness")))
-        problems.note(Severity::warning, "MULTIPLE_EXTENSIONS", at.text(),
-                      "extensions that exclude each other");
+    if (shape.name != "material" || value.size() < 2) return;
+    const bool is_unlit = value.contains("KHR_materials_unlit");
+    if (!is_unlit && !value.contains("KHR_materials_pbrSpecularGlossiness")) return;
+    std::string names;
+    for (const auto& [name, content] : value.items()) names += (names.empty() ? "" : ", ") + name;
+    problems.note(Severity::warning, "MULTIPLE_EXTENSIONS", at.text(),
+                  is_unlit ? "extensions that exclude each other; an unlit surface shows base "
+                             "color and emission alone"
+                           : "extensions that exclude each other; specular and glossiness stand in "
+                             "for ior and specular, the others are drawn over them",
+                  names);
 }
 
-const Rule* find_rule(const Shape& shape, std::string_view name) {
+const Rule* find_rule(const ObjectShape& shape, std::string_view name) {
     for (const Rule& rule : shape.rules)
         if (rule.name == name) return &rule;
     return nullptr;
 }
 
-void Walk::object(const Json& value, const Shape& shape, const Pointer& at) {
+void Walk::object(const Json& value, const ObjectShape& shape, const Pointer& at) {
     for (const auto& [name, content] : value.items()) {
         const Pointer here = at / std::string_view(name);
         if (const Rule* const rule = find_rule(shape, name)) {

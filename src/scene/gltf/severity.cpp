@@ -44,18 +44,25 @@ constexpr auto harmless = std::to_array<std::string_view>(
 /// Warnings of the validator that the user of a renderer wants to hear of too.
 constexpr auto audible = std::to_array<std::string_view>(
     {"GLB_EXTRA_DATA", "GLB_UNKNOWN_CHUNK_TYPE", "BUFFER_GLB_CHUNK_TOO_BIG",
-     "UNKNOWN_ASSET_MINOR_VERSION", "CAMERA_YFOV_GEQUAL_PI", "NODE_SKINNED_MESH_WITHOUT_SKIN"});
+     "UNKNOWN_ASSET_MINOR_VERSION", "CAMERA_YFOV_GEQUAL_PI", "NODE_SKINNED_MESH_WITHOUT_SKIN",
+     "BUFFER_VIEW_COMPRESSION_FALLBACK", "MESH_PRIMITIVE_COMPRESSION_FALLBACK",
+     // What a material says and a picture cannot show.
+     "MULTIPLE_EXTENSIONS", "KHR_MATERIALS_VOLUME_NO_TRANSMISSION",
+     "KHR_MATERIALS_DISPERSION_NO_VOLUME", "KHR_MATERIALS_EMISSIVE_STRENGTH_ZERO_FACTOR",
+     "MATERIAL_ALPHA_CUTOFF_INVALID_MODE"});
 
-/// Fine for the validator, not for a renderer that keeps off the network and knows 2.0 only.
-constexpr auto refused =
-    std::to_array<std::string_view>({"NON_RELATIVE_URI", "UNKNOWN_ASSET_MIN_VERSION"});
+/// Fine for the validator, not for a renderer that keeps off the network, knows 2.0 only and has
+/// to decode what it draws.
+constexpr auto refused = std::to_array<std::string_view>(
+    {"NON_RELATIVE_URI", "UNKNOWN_ASSET_MIN_VERSION", "BUFFER_VIEW_COMPRESSION_UNSUPPORTED",
+     "MESH_PRIMITIVE_COMPRESSION_UNSUPPORTED"});
 
 template <class Table>
 bool has(const Table& table, std::string_view code) {
     return std::find(table.begin(), table.end(), code) != table.end();
 }
 
-/// Animations are not played by this version, so what is wrong in them is only worth a warning.
+/// What is wrong in an animation matters where it is asked for alone; then its fault says it.
 bool is_of_animation(const Problem& problem) {
     return problem.pointer.starts_with("/animations/") || problem.code.starts_with("ANIMATION_") ||
            problem.code.starts_with("KHR_ANIMATION_");

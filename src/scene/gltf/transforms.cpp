@@ -1,4 +1,4 @@
-// Where the nodes of a glTF model are, from the roots down without recursion.
+// The nodes of a glTF model, from the roots down without recursion.
 // SPDX-License-Identifier: MIT
 #include "scene/gltf/transforms.h"
 
@@ -32,18 +32,21 @@ math::Quat rotation_of(Import& import, const tinygltf::Node& node, std::size_t i
     return q;
 }
 
-Mat4 local_matrix(Import& import, std::size_t index) {
+RigNode rig_node(Import& import, std::size_t index) {
     const tinygltf::Node& node = import.model.nodes[index];
+    RigNode out;
     if (node.matrix.size() == 16) {
         Mat4 matrix;
         for (std::size_t i = 0; i < 16; ++i)  // by columns, as GLM's
             matrix[static_cast<int>(i / 4)][static_cast<int>(i % 4)] =
                 static_cast<float>(node.matrix[i]);
-        return matrix;
+        out.matrix = matrix;
+        return out;
     }
-    const Mat4 moved = glm::translate(Mat4(1.0F), to_vec3(node.translation, Vec3(0.0F)));
-    const Mat4 turned = moved * glm::mat4_cast(rotation_of(import, node, index));
-    return glm::scale(turned, to_vec3(node.scale, Vec3(1.0F)));
+    out.translation = to_vec3(node.translation, out.translation);
+    out.rotation = rotation_of(import, node, index);
+    out.scale = to_vec3(node.scale, out.scale);
+    return out;
 }
 
 bool is_visible(const Json& json, std::size_t index) {
@@ -61,12 +64,12 @@ struct Visit {
 
 /// One walk down from `roots`; nodes seen before are left alone unless the walk would repeat for
 /// ever.
-base::Status walk(Import& import, const std::vector<int>& roots, bool is_shown,
-                  std::vector<bool>& seen, Transforms& out) {
+base::Status walk(Import& import, const std::vector<int>& roots, std::vector<bool>& seen, Rig& rig,
+                  std::vector<std::uint32_t>* shown) {
     std::vector<Visit> stack;
     for (auto root = roots.rbegin(); root != roots.rend(); ++root)
         stack.push_back(
-            {.node = static_cast<std::uint32_t>(*root), .depth = 1, .is_shown = is_shown});
+            {.node = static_cast<std::uint32_t>(*root), .depth = 1, .is_shown = shown != nullptr});
     while (!stack.empty()) {
         const Visit visit = stack.back();
         stack.pop_back();
@@ -77,14 +80,14 @@ base::Status walk(Import& import, const std::vector<int>& roots, bool is_shown,
                                .where = pointer_text("nodes", visit.node),
                                .what = "nodes are nested too deep",
                                .found = fmt::format("more than {}", import.limits.node_depth)});
+        rig.order.push_back(visit.node);
         const bool is_node_shown = visit.is_shown && is_visible(import.asset.json, visit.node);
-        if (is_node_shown) out.in_scene.push_back(visit.node);
+        if (is_node_shown) shown->push_back(visit.node);
         const std::vector<int>& children = import.model.nodes[visit.node].children;
         for (auto child = children.rbegin(); child != children.rend(); ++child) {
             const auto index = static_cast<std::uint32_t>(*child);
             if (index >= seen.size() || seen[index]) continue;
-            out.world_from_node[index] =
-                out.world_from_node[visit.node] * local_matrix(import, index);
+            rig.nodes[index].parent = visit.node;
             stack.push_back({.node = index, .depth = visit.depth + 1, .is_shown = is_node_shown});
         }
     }
@@ -93,9 +96,9 @@ base::Status walk(Import& import, const std::vector<int>& roots, bool is_shown,
 
 }  // namespace
 
-base::Result<Transforms> place_nodes(Import& import, const std::vector<int>& roots) {
+base::Result<std::vector<std::uint32_t>> read_rig_nodes(Import& import,
+                                                        const std::vector<int>& roots, Rig& rig) {
     const std::size_t count = import.model.nodes.size();
-    Transforms out{.world_from_node = std::vector<Mat4>(count, Mat4(1.0F)), .in_scene = {}};
     std::vector<bool> is_child(count, false);
     for (const tinygltf::Node& node : import.model.nodes)
         for (const int child : node.children)
@@ -103,16 +106,16 @@ base::Result<Transforms> place_nodes(Import& import, const std::vector<int>& roo
                 is_child[static_cast<std::size_t>(child)] = true;
     std::vector<int> others;  // joints may lie in no scene at all
     for (std::size_t i = 0; i < count; ++i) {
-        if (is_child[i]) continue;
-        out.world_from_node[i] = local_matrix(import, i);
-        others.push_back(static_cast<int>(i));
+        rig.nodes.push_back(rig_node(import, i));
+        if (!is_child[i]) others.push_back(static_cast<int>(i));
     }
     std::vector<bool> seen(count, false);
-    if (auto walked = walk(import, roots, true, seen, out); !walked)
+    std::vector<std::uint32_t> shown;
+    if (auto walked = walk(import, roots, seen, rig, &shown); !walked)
         return tl::unexpected(walked.error());
-    if (auto walked = walk(import, others, false, seen, out); !walked)
+    if (auto walked = walk(import, others, seen, rig, nullptr); !walked)
         return tl::unexpected(walked.error());
-    return out;
+    return shown;
 }
 
 }  // namespace facet::scene::gltf

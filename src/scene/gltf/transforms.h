@@ -1,4 +1,4 @@
-// Where the nodes of a glTF model are.
+// The nodes of a glTF model and how they hang together.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -9,14 +9,10 @@
 
 namespace facet::scene::gltf {
 
-/// By node index. Nodes that no root reaches keep the identity.
-struct Transforms {
-    std::vector<Mat4> world_from_node;
-    std::vector<std::uint32_t>
-        in_scene;  ///< visible nodes of the scene shown, parents before children
-};
-
-/// Errors: limit_reached below limits.node_depth, input_invalid on a cycle.
-[[nodiscard]] base::Result<Transforms> place_nodes(Import& import, const std::vector<int>& roots);
+/// Nodes of the rig, their order, and those that are to be seen: visible ones of the scene shown,
+/// parents before children. Errors: limit_reached below limits.node_depth.
+[[nodiscard]] base::Result<std::vector<std::uint32_t>> read_rig_nodes(Import& import,
+                                                                      const std::vector<int>& roots,
+                                                                      Rig& rig);
 
 }  // namespace facet::scene::gltf

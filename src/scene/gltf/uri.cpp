@@ -12,13 +12,6 @@
 namespace facet::scene::gltf {
 namespace {
 
-tl::unexpected<base::Error> invalid(std::string what, std::string found, std::string remedy = {}) {
-    return base::fail({.code = base::ErrorCode::input_invalid,
-                       .what = std::move(what),
-                       .found = std::move(found),
-                       .remedy = std::move(remedy)});
-}
-
 constexpr std::array<std::int8_t, 256> make_base64_table() {
     std::array<std::int8_t, 256> table{};
     table.fill(-1);
@@ -34,7 +27,7 @@ int digit_of(char c) { return base64_table[static_cast<unsigned char>(c)]; }
 
 base::Result<base::Bytes> decode_base64(std::string_view text, std::size_t max_bytes) {
     if (text.size() % 4 != 0)
-        return invalid("base64 is cut off", fmt::format("{} characters", text.size()));
+        return base::invalid("base64 is cut off", fmt::format("{} characters", text.size()));
     std::size_t padding = 0;
     while (padding < 2 && padding < text.size() && text[text.size() - 1 - padding] == '=')
         ++padding;
@@ -52,7 +45,7 @@ base::Result<base::Bytes> decode_base64(std::string_view text, std::size_t max_b
             const bool is_padding = at + i >= text.size() - padding;
             const int digit = is_padding ? 0 : digit_of(text[at + i]);
             if (digit < 0)
-                return invalid(
+                return base::invalid(
                     "not base64",
                     fmt::format("character {:#04x} at {}",
                                 static_cast<unsigned>(static_cast<unsigned char>(text[at + i])),
@@ -82,7 +75,7 @@ base::Result<std::string> percent_decoded(std::string_view uri) {
         const auto high = i + 2 < uri.size() ? hex_digit(uri[i + 1]) : std::nullopt;
         const auto low = i + 2 < uri.size() ? hex_digit(uri[i + 2]) : std::nullopt;
         if (!high || !low)
-            return invalid("broken % escape in a URI", std::string(uri.substr(i, 3)));
+            return base::invalid("broken % escape in a URI", std::string(uri.substr(i, 3)));
         out += static_cast<char>(*high * 16 + *low);
         i += 2;
     }
@@ -139,7 +132,7 @@ bool is_data_uri(std::string_view uri) {
 base::Result<DataUri> decode_data_uri(std::string_view uri, std::size_t max_bytes) {
     const std::size_t comma = uri.find(',');
     if (comma == std::string_view::npos)
-        return invalid("data URI without a comma", std::string(uri.substr(0, 40)));
+        return base::invalid("data URI without a comma", std::string(uri.substr(0, 40)));
     std::string_view header = uri.substr(5, comma - 5);
     const std::string_view content = uri.substr(comma + 1);
     constexpr std::string_view encoding = ";base64";
@@ -149,7 +142,8 @@ base::Result<DataUri> decode_data_uri(std::string_view uri, std::size_t max_byte
     for (std::size_t at = header.find(';'); at != std::string_view::npos;) {
         const std::size_t end = std::min(header.find(';', at + 1), header.size());
         if (header.substr(at, end - at).find('=') == std::string_view::npos)
-            return invalid("broken parameter of a data URI", std::string(header.substr(0, 80)));
+            return base::invalid("broken parameter of a data URI",
+                                 std::string(header.substr(0, 80)));
         at = end == header.size() ? std::string_view::npos : end;
     }
     DataUri out{.mime = std::string(header.substr(0, header.find(';'))), .bytes = {}};
@@ -169,20 +163,20 @@ base::Result<DataUri> decode_data_uri(std::string_view uri, std::size_t max_byte
 base::Result<std::string> decode_relative_uri(std::string_view uri) {
     constexpr std::string_view gate = "--allow-read DIR if it may be read";
     const std::string shown(uri.substr(0, 200));
-    if (uri.empty()) return invalid("empty URI", "");
-    if (uri[0] == ':') return invalid("URI with an empty scheme", shown);
+    if (uri.empty()) return base::invalid("empty URI", "");
+    if (uri[0] == ':') return base::invalid("URI with an empty scheme", shown);
     if (const std::string_view scheme = scheme_of(uri); scheme.size() > 1 && scheme != "file")
-        return invalid("the network is never used", shown, "download it beside the model");
+        return base::invalid("the network is never used", shown, "download it beside the model");
     if (!scheme_of(uri).empty())
-        return invalid("outside the model's folder", shown, std::string(gate));
+        return base::invalid("outside the model's folder", shown, std::string(gate));
     auto path = percent_decoded(uri);
     if (!path) return path;
-    if (path->find('\0') != std::string::npos) return invalid("NUL in a URI", shown);
-    if (!is_utf8(*path)) return invalid("URI is not UTF-8", shown);
+    if (path->find('\0') != std::string::npos) return base::invalid("NUL in a URI", shown);
+    if (!is_utf8(*path)) return base::invalid("URI is not UTF-8", shown);
     const char first = path->empty() ? '\0' : path->front();
     const bool is_foreign = first == '/' || first == '~' || path->find('\\') != std::string::npos ||
                             !scheme_of(*path).empty();
-    if (is_foreign) return invalid("outside the model's folder", shown, std::string(gate));
+    if (is_foreign) return base::invalid("outside the model's folder", shown, std::string(gate));
     return path;
 }
 

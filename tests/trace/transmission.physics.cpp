@@ -1,0 +1,208 @@
+// Light through surfaces against what is known on paper.
+// SPDX-License-Identifier: MIT
+#include "scene/lobes.h"
+#include "support/trace_harness.h"
+#include "trace/bsdf.h"
+#include "trace/sequence.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace facet::test {
+namespace {
+
+using math::Vec3;
+using math::Vec4;
+
+scene::Material glass(float roughness, float thickness_m) {
+    scene::Material out = material(Vec3(1.0F), 0.0F, roughness);
+    out.values.transmission = 1.0F;
+    out.values.thickness_m = thickness_m;
+    return out;
+}
+
+/// Mean radiance of a sphere's pixels in white light from everywhere.
+Vec3 in_furnace(const scene::Material& of, std::uint32_t samples = 64) {
+    TraceShot shot{.scene = scene_of(sphere(96), of), .latlong = constant_environment(Vec3(1.0F))};
+    shot.scene.materials.front().double_sided = !scene::has_volume(of);
+    shot.settings.picture = shot.settings.size = {32, 32};
+    shot.settings.samples = samples;
+    const auto out = traced(shot);
+    EXPECT_EQ(out.not_finite, 0U);
+    const Vec4 sum = mean(out.radiance);
+    return Vec3(sum) / sum.w;
+}
+
+TEST(Transmission, AGlassSphereVanishesInAFurnace) {
+    for (const float thickness_m : {0.0F, 1.0F})
+        for (const float roughness : {0.0F, 0.2F, 0.5F, 1.0F}) {
+            const float mean = in_furnace(glass(roughness, thickness_m)).x;
+            EXPECT_NEAR(mean, 1.0F, 0.015F)
+                << "thickness " << thickness_m << " roughness " << roughness;
+        }
+}
+
+/// Seen at one cosine: what the samples keep of white light, and the sum over all directions of
+/// what evaluate() sends on.
+TEST(Transmission, TheBoundaryOfAVolumeSendsOnAllLight) {
+    const trace::Model model{tables::BrdfChoice{}};
+    for (const bool front : {true, false})
+        for (const float roughness : {0.5F, 1.0F})
+            for (const float cosine : {0.05F, 0.3F, 0.95F}) {
+                trace::Surface surface;
+                surface.normal = surface.face_normal = {0.0F, 0.0F, 1.0F};
+                surface.front = front;
+                surface.has_volume = true;
+                surface.transmission = 1.0F;
+                surface.roughness = roughness;
+                const Vec3 to_eye(std::sqrt(1.0F - cosine * cosine), 0.0F, cosine);
+                const trace::Bsdf bsdf(model, surface, to_eye);
+                float kept = 0.0F;
+                float sum = 0.0F;
+                constexpr std::uint32_t count = 20000;
+                for (std::uint32_t i = 0; i < count; ++i) {
+                    trace::Sequence sequence(1, i, 0);
+                    const math::Vec2 u = sequence.next_pair();
+                    const auto sample = bsdf.sample(u, sequence.next());
+                    if (sample.is_valid)
+                        kept += sample.scattered.of_environment.x / sample.scattered.pdf;
+                    const math::Vec2 at = sequence.next_pair();
+                    const float z = 2.0F * at.x - 1.0F;
+                    const float r = std::sqrt(1.0F - z * z);
+                    const float phi = 2.0F * math::pi * at.y;
+                    sum +=
+                        4.0F * math::pi *
+                        bsdf.evaluate({r * std::cos(phi), r * std::sin(phi), z}).of_environment.x;
+                }
+                EXPECT_NEAR(kept / count, 1.0F, 0.01F)
+                    << front << " roughness " << roughness << " cosine " << cosine;
+                EXPECT_NEAR(sum / count, 1.0F, 0.06F)
+                    << front << " roughness " << roughness << " cosine " << cosine;
+            }
+}
+
+TEST(Transmission, WhatDispersesLightKeepsItInEveryChannel) {
+    scene::Material prism = glass(0.0F, 1.0F);
+    prism.values.dispersion = 2.0F;
+    const Vec3 mean = in_furnace(prism);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(mean[c], 1.0F, 0.02F);
+}
+
+TEST(Transmission, SharesAddUpToOne) {
+    scene::Material leaf = material(Vec3(1.0F), 0.0F, 0.4F);
+    leaf.values.diffuse_transmission = 0.6F;
+    EXPECT_NEAR(in_furnace(leaf).x, 1.0F, 0.01F);
+    leaf.values.transmission = 0.5F;
+    EXPECT_NEAR(in_furnace(leaf).x, 1.0F, 0.01F);
+    leaf.values.clearcoat = 1.0F;
+    leaf.values.clearcoat_roughness = 0.3F;
+    EXPECT_NEAR(in_furnace(leaf).x, 1.0F, 0.01F);
+    scene::Material half = glass(0.0F, 1.0F);
+    half.values.transmission = 0.5F;
+    EXPECT_NEAR(in_furnace(half).x, 1.0F, 0.01F);
+}
+
+TEST(Transmission, AVolumeAbsorbsByTheWayThroughIt) {
+    scene::Material volume = glass(0.0F, 1.0F);
+    volume.values.ior = 1.0F;
+    volume.values.attenuation_distance_m = 0.5F;
+    volume.values.attenuation_color = {0.8F, 0.5F, 0.2F};
+    TraceShot shot{.scene = scene_of(sphere(256), volume),
+                   .latlong = constant_environment(Vec3(1.0F))};
+    shot.settings.picture = shot.settings.size = {65, 65};
+    shot.settings.samples = 16;
+    const Vec4 middle = pixel(traced(shot).radiance, 32, 32);
+    for (int c = 0; c < 3; ++c)  // Beer-Lambert over the diameter, 2 m
+        EXPECT_NEAR(middle[c], std::pow(volume.values.attenuation_color[c], 4.0F), 0.005F) << c;
+}
+
+TEST(Scattering, AVolumeThatAbsorbsNothingSendsOnAllLight) {
+    for (const float anisotropy : {0.0F, 0.7F})
+        for (const float distance_m : {1.0F, 0.1F}) {
+            scene::Material milk = material(Vec3(1.0F), 0.0F, 0.4F);
+            milk.values.diffuse_transmission = 1.0F;
+            milk.values.thickness_m = 1.0F;
+            milk.values.attenuation_color = Vec3(0.3678794F);  // extinction is one over the way
+            milk.values.attenuation_distance_m = distance_m;
+            milk.values.scatter_color = Vec3(1.0F);
+            milk.values.scatter_anisotropy = anisotropy;
+            EXPECT_NEAR(in_furnace(milk, 32).x, 1.0F, 0.015F) << anisotropy << ' ' << distance_m;
+            milk.values.diffuse_transmission = 0.0F;
+            milk.values.transmission = 1.0F;
+            EXPECT_NEAR(in_furnace(milk, 32).x, 1.0F, 0.02F) << anisotropy << ' ' << distance_m;
+        }
+}
+
+// Where the way between events is short beside the ball, its surface is flat to light: it sends
+// back the colour that the material asks for (of light that enters and leaves as Lambert's does).
+TEST(Scattering, ADenseVolumeHasItsColor) {
+    scene::Material wax = material(Vec3(1.0F), 0.0F, 1.0F);
+    wax.values.ior = 1.0F;
+    wax.values.specular = 0.0F;
+    wax.values.diffuse_transmission = 1.0F;
+    wax.values.thickness_m = 1.0F;
+    wax.values.attenuation_color = Vec3(0.3678794F);
+    wax.values.attenuation_distance_m = 0.01F;
+    wax.values.scatter_color = {0.8F, 0.5F, 0.2F};
+    const Vec3 mean = in_furnace(wax, 64);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(mean[c], wax.values.scatter_color[c], 0.04F) << c;
+}
+
+TEST(Transmission, ThinGlassDimsLightByItsFresnelAndColorAndDoesNotBendIt) {
+    scene::Material pane = glass(0.0F, 0.0F);
+    pane.values.base_color = {0.9F, 0.6F, 0.3F};
+    pane.double_sided = true;
+    TraceShot shot{.scene = scene_of(sphere(96), pane),
+                   .latlong = constant_environment(Vec3(1.0F))};
+    shot.settings.picture = shot.settings.size = {65, 65};
+    shot.settings.samples = 2048;
+    const Vec4 middle = pixel(traced(shot).radiance, 32, 32);
+    // Two panes: what each reflects goes to and fro between them.
+    constexpr float f = 0.04F;
+    for (int c = 0; c < 3; ++c) {
+        const float t = pane.values.base_color[c] * (1.0F - f);
+        EXPECT_NEAR(middle[c], f + t * t * 1.0F / (1.0F - f * f) + t * t * f / (1.0F - f * f),
+                    0.01F)
+            << c;
+    }
+}
+
+TEST(Anisotropy, ABrushedSphereVanishesInAFurnace) {
+    for (const float metallic : {0.0F, 1.0F})
+        for (const float roughness : {0.1F, 0.4F, 0.7F})
+            for (const float strength : {0.3F, 0.7F, 1.0F}) {
+                scene::Material brushed = material(Vec3(1.0F), metallic, roughness);
+                brushed.values.anisotropy = strength;
+                TraceShot shot{.scene = scene_of(sphere(96), brushed),
+                               .latlong = constant_environment(Vec3(1.0F))};
+                scene::Mesh& mesh = shot.scene.meshes.front();
+                for (const Vec3& n : mesh.normals) {
+                    const Vec3 along = math::cross(Vec3(0.0F, 1.0F, 0.0F), n);
+                    const float length = math::length(along);
+                    mesh.tangents.emplace_back(
+                        length > 1e-4F ? along / length : Vec3(1.0F, 0.0F, 0.0F), 1.0F);
+                }
+                shot.settings.samples = 64;
+                const Vec4 sum = mean(traced(shot).radiance);
+                EXPECT_NEAR(sum.x / sum.w, 1.0F, 0.02F)
+                    << metallic << " roughness " << roughness << " strength " << strength;
+            }
+}
+
+TEST(Iridescence, AFilmKeepsAllLightOfAWhiteSphere) {
+    for (const float thickness_nm : {0.0F, 200.0F, 550.0F}) {
+        scene::Material soap = material(Vec3(1.0F), 0.0F, 0.2F);
+        soap.values.iridescence = 1.0F;
+        soap.values.iridescence_thickness_max_nm = thickness_nm;
+        const Vec3 mean = in_furnace(soap, 64);
+        // The diffuse lobe gets what the strongest channel leaves.
+        for (int c = 0; c < 3; ++c) {
+            EXPECT_LT(mean[c], 1.005F);
+            EXPECT_GT(mean[c], 0.85F);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace facet::test
