@@ -146,7 +146,9 @@ std::vector<Mat4> joint_matrices(const Skin& skin, const Pose& pose) {
 
 bool is_flat(const Mat4& matrix) {
     const float determinant = glm::determinant(Mat3(matrix));
-    return determinant == 0.0F || !std::isfinite(determinant);
+    const Vec4& place = matrix[3];
+    return determinant == 0.0F || !std::isfinite(determinant) || !std::isfinite(place.x) ||
+           !std::isfinite(place.y) || !std::isfinite(place.z);
 }
 
 bool is_mirroring(const Mat4& matrix) { return glm::determinant(Mat3(matrix)) < 0.0F; }
@@ -175,14 +177,19 @@ bool take_pose(const Pose& pose, Scene& scene) {
     remove_light_shapes(scene);  // what is made here is the model's, and comes before them
     const std::size_t mesh_count = scene.meshes.size();
     bool has_deformed = false;
+    std::vector<std::vector<Mat4>> skins(rig.skins.size());
     scene.instances.clear();
     for (const Placing& placing : rig.placings) {
         const Mat4 world_from_copy =
             placing.skin ? placing.node_from_copy
                          : pose.world_from_node[placing.node] * placing.node_from_copy;
         if (is_flat(world_from_copy)) continue;
-        std::vector<Mat4> joints;
-        if (placing.skin) joints = joint_matrices(rig.skins[*placing.skin], pose);
+        std::span<const Mat4> joints;
+        if (placing.skin) {
+            std::vector<Mat4>& of_skin = skins[*placing.skin];
+            if (of_skin.empty()) of_skin = joint_matrices(rig.skins[*placing.skin], pose);
+            joints = of_skin;
+        }
         const bool is_mirrored = is_mirroring(joints.empty() ? world_from_copy : joints.front());
         if (!placing.shapes.empty()) {
             const auto moved = pose.weights.find(placing.node);

@@ -26,7 +26,7 @@ struct Pose {
 
 /// world_from_object of each joint.
 [[nodiscard]] std::vector<Mat4> joint_matrices(const Skin& skin, const Pose& pose);
-/// Whether nothing is left of what such a matrix places.
+/// Whether nothing is left of what such a matrix places, or its place is none.
 [[nodiscard]] bool is_flat(const Mat4& matrix);
 [[nodiscard]] bool is_mirroring(const Mat4& matrix);
 

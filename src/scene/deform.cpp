@@ -47,7 +47,12 @@ void skin(const Shape& shape, std::span<const Mat4> joints, Mesh& mesh) {
     }
 }
 
-/// How many triangles there were without area.
+bool is_finite(const Vec3& p) {
+    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+
+/// How many triangles there were without area, or with a corner that joints or morph targets took
+/// beyond all numbers.
 std::size_t drop_degenerates(Mesh& mesh) {
     std::size_t kept = 0;
     for (std::size_t first = 0; first < mesh.indices.size(); first += 3) {
@@ -57,6 +62,7 @@ std::size_t drop_degenerates(Mesh& mesh) {
         if (a == b || b == c || c == a) continue;
         const std::vector<Vec3>& p = mesh.positions_m;
         if (p[a] == p[b] || p[b] == p[c] || p[c] == p[a]) continue;
+        if (!is_finite(p[a]) || !is_finite(p[b]) || !is_finite(p[c])) continue;
         mesh.indices[kept] = a;
         mesh.indices[kept + 1] = b;
         mesh.indices[kept + 2] = c;
@@ -72,7 +78,8 @@ std::size_t drop_degenerates(Mesh& mesh) {
 Vec3 unit_or_zero(const Vec3& v) {
     const float largest = std::fmax(std::fabs(v.x), std::fmax(std::fabs(v.y), std::fabs(v.z)));
     if (!(largest > 0.0F) || !std::isfinite(largest)) return Vec3(0.0F);
-    return math::normalize(v / largest);
+    const Vec3 unit = math::normalize(v / largest);
+    return std::isfinite(unit.x) ? unit : Vec3(0.0F);  // fmax does not see a NaN
 }
 
 template <class T>

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace facet::scene {
 namespace {
@@ -93,8 +94,10 @@ void sample(const Keyframes& keyframes, double time_s, std::span<float> out) {
     for (std::size_t i = 0; i < out.size(); ++i) {
         const auto from = static_cast<double>(first[i]);
         const double linear = from + at.part * (static_cast<double>(next[i]) - from);
-        out[i] = static_cast<float>(
-            keyframes.interpolation == Interpolation::cubic ? cubic_at(keyframes, at, i) : linear);
+        const double value =
+            keyframes.interpolation == Interpolation::cubic ? cubic_at(keyframes, at, i) : linear;
+        constexpr double most = std::numeric_limits<float>::max();  // cubics may leave its range
+        out[i] = static_cast<float>(std::clamp(value, -most, most));
     }
 }
 

@@ -30,7 +30,7 @@ public:
 
     /// The mean over a square around a place, sides and place in texels.
     [[nodiscard]] float mean(Vec2 at, float side) const {
-        const int count = std::clamp(static_cast<int>(std::ceil(2.0F * side)), 1, 8);
+        const int count = static_cast<int>(std::ceil(std::clamp(2.0F * side, 1.0F, 8.0F)));
         float sum = 0.0F;
         for (int y = 0; y < count; ++y)
             for (int x = 0; x < count; ++x) {
@@ -95,19 +95,22 @@ std::optional<Wanted> wanted(const Scene& scene, Mesh& mesh) {
     return Wanted{&mesh, &smooth, &material, *map, pixels};
 }
 
-/// The longest edges, in texels, with which all meshes stay within most_relief_triangles. Half of a
-/// texel's square has a diagonal of the root of two.
+/// The longest edges, in texels, with which all meshes stay within most_relief_triangles, or none
+/// is split. Half of a texel's square has a diagonal of the root of two.
 float spacing_of(const std::vector<Wanted>& all) {
     std::vector<std::pair<const Wanted*, std::vector<Vec2>>> places;
-    for (const Wanted& one : all) places.emplace_back(&one, one.places_texels());
-    float spacing = std::sqrt(2.0F);
-    for (int doublings = 0; doublings < 40; ++doublings) {
+    std::size_t unsplit = 0;
+    for (const Wanted& one : all) {
+        places.emplace_back(&one, one.places_texels());
+        unsplit += one.smooth->indices.size() / 3;
+    }
+    const auto enough = static_cast<double>(std::max(unsplit, most_relief_triangles));
+    for (float spacing = std::sqrt(2.0F);; spacing *= 2.0F) {
         double count = 0.0;
         for (const auto& [one, at] : places) count += split_count(*one->smooth, at, spacing);
-        if (count <= static_cast<double>(most_relief_triangles)) break;
-        spacing *= 2.0F;
+        // Edges whose length is not finite are not split: there is an end.
+        if (count <= enough) return spacing;
     }
-    return spacing;
 }
 
 /// As FineMesh has them: each the number of its first vertex.
@@ -124,12 +127,13 @@ std::vector<std::uint32_t> group_normals(const std::vector<Vec3>& normals,
     return out;
 }
 
-std::shared_ptr<const FineMesh> refine(const Wanted& from, float spacing_texels) {
+/// `most` triangles, but for what one round of halving adds.
+std::shared_ptr<const FineMesh> refine(const Wanted& from, float spacing_texels, std::size_t most) {
     auto fine = std::make_shared<FineMesh>();
     fine->mesh = *from.smooth;
     fine->mesh.relief = nullptr;
     std::vector<Vec2> at = from.places_texels();
-    fine->places = split_edges(fine->mesh, at, spacing_texels, most_relief_triangles);
+    fine->places = split_edges(fine->mesh, at, spacing_texels, most);
     fine->normal_groups = group_normals(fine->mesh.normals, fine->places);
     const HeightMap heights(*from.pixels, from.map);
     fine->heights.reserve(at.size());
@@ -171,8 +175,8 @@ void follow_surface(const FineMesh& fine, Mesh& mesh) {
     }
 }
 
-/// Whether the mesh became another.
-bool raise(const Wanted& from, float spacing_texels) {
+/// Whether the mesh became another. `most`: see refine().
+bool raise(const Wanted& from, float spacing_texels, std::size_t most) {
     const std::shared_ptr<const Relief> old = from.mesh->relief;
     const float scale_m = from.material->values.height_scale_m;
     const bool has_fine = old && old->map == from.map && old->pixels == from.pixels &&
@@ -186,7 +190,7 @@ bool raise(const Wanted& from, float spacing_texels) {
                .scale_m = scale_m,
                .spacing_texels = spacing_texels,
                .keeps_normals = keeps_normals,
-               .fine = has_fine ? old->fine : refine(from, spacing_texels)});
+               .fine = has_fine ? old->fine : refine(from, spacing_texels, most)});
     relief->smooth.relief = nullptr;
     Mesh mesh = relief->fine->mesh;
     displace(*relief->fine, scale_m, mesh);
@@ -218,7 +222,12 @@ bool raise_reliefs(Scene& scene) {
     }
     if (all.empty()) return changed;
     const float spacing_texels = spacing_of(all);
-    for (const Wanted& one : all) changed = raise(one, spacing_texels) || changed;
+    std::size_t left = most_relief_triangles;
+    for (const Wanted& one : all) {
+        changed = raise(one, spacing_texels, left) || changed;
+        // Edges that are halved for a neighbour's sake are in no estimate.
+        left -= std::min(left, one.mesh->indices.size() / 3);
+    }
     return changed;
 }
 

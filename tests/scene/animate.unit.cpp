@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "animation_fixture.h"
 
@@ -281,6 +282,35 @@ TEST(Animation, ChannelsOfPointersAndWithoutNodesAreLeftOut) {
           {{"path", "pointer"},
            {"extensions", {{"KHR_animation_pointer", {{"pointer", "/nodes/0/translation"}}}}}}}});
     EXPECT_EQ(origin_of(posed(d, 1.0)).x, 2.0F);
+}
+
+TEST(Animation, WeightsOfAMeshWithoutTargetsAreLeftOut) {
+    Document d = moving();
+    animate(d, 0, 0, "weights", times(d, {0, 2}), d.floats("SCALAR", 1, {0, 1, 0, 1, 0, 1}));
+    EXPECT_EQ(origin_of(posed(d, 1.0)).x, 2.0F);
+    const scene::Scene scene = loaded_or_fail(d).scene;
+    EXPECT_TRUE(scene::pose_at(*scene.rig, &scene.rig->clips[0], 1.0).weights.empty());
+}
+
+TEST(Animation, AnInverseBindMatrixThatIsNoNumberIsRefused) {
+    Document d = skinned();
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    std::vector<float> bind(32, 0.0F);
+    bind[21] = nan;
+    d.json["skins"][0]["inverseBindMatrices"] = d.floats("MAT4", 16, bind);
+    const auto loaded = load_document(d);
+    ASSERT_FALSE(loaded);
+    EXPECT_EQ(loaded.error().code, base::ErrorCode::input_invalid);
+    EXPECT_EQ(loaded.error().where, "/skins/0/inverseBindMatrices");
+}
+
+TEST(Animation, WhatJointsTakeBeyondAllNumbersIsNotDrawn) {
+    Document d = skinned();
+    animate(d, 0, 2, "translation", times(d, {0, 1}),
+            d.floats("VEC3", 3, {0, 0, 0, 3e38F, 3e38F, 3e38F}));
+    animate(d, 0, 1, "scale", times(d, {0, 1}), d.floats("VEC3", 3, {1, 1, 1, 9, 9, 9}));
+    const scene::Scene scene = posed(d, 1.0);
+    EXPECT_TRUE(scene.instances.empty() || scene.meshes[0].indices.empty());
 }
 
 TEST(Animation, SamplersThatShareAccessorsWithoutEndMeetTheLimit) {

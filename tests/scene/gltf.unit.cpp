@@ -204,7 +204,7 @@ TEST(GltfMesh, a_count_that_is_no_multiple_of_three_loses_its_tail_with_a_warnin
 TEST(GltfMesh, normals_that_are_zero_or_no_numbers_come_from_the_faces) {
     Document d = triangle();
     const float nan = std::numeric_limits<float>::quiet_NaN();
-    primitive(d)["attributes"]["NORMAL"] = d.floats("VEC3", 3, {0, 0, 0, nan, 0, 0, 0, 0, 2});
+    primitive(d)["attributes"]["NORMAL"] = d.floats("VEC3", 3, {0, 0, 0, nan, 1, 0, 0, 0, 2});
     const auto loaded = load_document(d);
     ASSERT_TRUE(loaded);
     for (const Vec3& normal : loaded->scene.meshes[0].normals) EXPECT_EQ(normal, Vec3(0, 0, 1));

@@ -74,11 +74,26 @@ TEST(Draco, quantised_positions_are_as_near_as_their_bits) {
     expect_draco_sheet(loaded_or_fail(draco_document(draco::MESH_EDGEBREAKER_ENCODING, 14)), step);
 }
 
-TEST(Draco, of_a_strip_the_triangles_are_drawn) {
+/// The triangles of its stream as a strip's.
+Document draco_strip() {
     Document d = draco_document();
     primitive(d)["mode"] = 5;
     d.json["accessors"][3]["count"] = 50;  // of the strip that the triangles would make
-    expect_draco_sheet(loaded_or_fail(d));
+    return d;
+}
+
+TEST(Draco, of_a_strip_the_triangles_are_drawn) {
+    expect_draco_sheet(loaded_or_fail(draco_strip()));
+}
+
+TEST(Draco, two_uses_of_a_strip_draw_the_same_triangles) {
+    Document d = draco_strip();
+    d.json["meshes"].push_back(d.json["meshes"][0]);
+    d.json["nodes"].push_back({{"mesh", 1}});
+    d.json["scenes"][0]["nodes"] = {0, 1};
+    const scene::Loaded loaded = loaded_or_fail(d);
+    ASSERT_EQ(loaded.scene.meshes.size(), 2U);
+    EXPECT_EQ(loaded.scene.meshes[0].indices, loaded.scene.meshes[1].indices);
 }
 
 TEST(Draco, two_uses_of_one_stream_are_two_meshes_alike) {

@@ -176,6 +176,49 @@ TEST(GltfLimits, memory_is_counted_before_it_is_taken_also_for_primitives_that_s
     EXPECT_TRUE(load_document(d).has_value());
 }
 
+TEST(GltfLimits, names_are_counted_as_often_as_copies_keep_them) {
+    Document d = triangle();
+    d.json["accessors"].push_back({{"componentType", 5126}, {"count", 5000}, {"type", "VEC3"}});
+    d.json["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]["TRANSLATION"] =
+        d.json["accessors"].size() - 1;
+    d.json["extensionsUsed"] = {"EXT_mesh_gpu_instancing"};
+    base::Limits limits;
+    limits.memory_bytes = 10'000'000;
+    EXPECT_TRUE(load_document(d, {}, limits).has_value());
+    d.json["nodes"][0]["name"] = std::string(10'000, 'x');
+    const auto loaded = load_document(d, {}, limits);
+    ASSERT_FALSE(loaded);
+    EXPECT_EQ(loaded.error().code, ErrorCode::limit_reached);
+}
+
+TEST(GltfLimits, flat_faces_are_counted_with_their_own_vertices) {
+    Document d = triangle();
+    std::vector<std::uint8_t> indices(30'000);
+    for (std::size_t i = 0; i < indices.size(); ++i) indices[i] = static_cast<std::uint8_t>(i % 3);
+    primitive(d)["indices"] = d.accessor<std::uint8_t>("SCALAR", 5121, indices.size(), indices);
+    base::Limits limits;
+    limits.memory_bytes = 1'500'000;
+    const auto loaded = load_document(d, {}, limits);
+    ASSERT_FALSE(loaded);
+    EXPECT_EQ(loaded.error().code, ErrorCode::limit_reached);
+    primitive(d)["attributes"]["NORMAL"] = d.floats("VEC3", 3, {0, 0, 1, 0, 0, 1, 0, 0, 1});
+    EXPECT_TRUE(load_document(d, {}, limits).has_value());
+}
+
+TEST(GltfLimits, an_error_after_all_problems_that_are_kept_is_still_one) {
+    Document d = triangle();
+    // Each lacks its channels and samplers, which is wrong in animations alone.
+    for (int i = 0; i < 6000; ++i) d.json["animations"].push_back(Json::object());
+    EXPECT_TRUE(load_document(d).has_value());
+    for (const Json& skin : {Json::object(), Json{{"joints", {999'999}}}}) {
+        d.json["skins"] = {skin};
+        const auto loaded = load_document(d);
+        ASSERT_FALSE(loaded) << skin;
+        EXPECT_EQ(loaded.error().code, ErrorCode::input_invalid);
+        EXPECT_TRUE(loaded.error().where.starts_with("/skins/0")) << loaded.error().where;
+    }
+}
+
 TEST(GltfLimits, more_lights_than_the_limit_are_refused) {
     Document d = triangle();
     d.json["extensionsUsed"] = {"KHR_lights_punctual"};

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace facet::scene {
@@ -40,6 +41,13 @@ TEST(Keyframes, StepKeepsAValueUntilTheNextKey) {
     EXPECT_EQ(at(steps, 1.0), 4.0F);
     EXPECT_EQ(at(steps, 2.999), 4.0F);
     EXPECT_EQ(at(steps, 3.0), -4.0F);
+}
+
+TEST(Keyframes, ACubicThatLeavesTheRangeOfFloatsStaysFinite) {
+    const Keyframes steep{.interpolation = Interpolation::cubic,
+                          .times_s = {0.0F, 100.0F},
+                          .values = {0.0F, 0.0F, 3e38F, -3e38F, 0.0F, 0.0F}};
+    EXPECT_EQ(at(steep, 50.0), std::numeric_limits<float>::max());
 }
 
 TEST(Keyframes, OneKeyIsAConstant) {

@@ -175,5 +175,28 @@ TEST(Relief, OfAbsurdCoordinatesIsFiniteAndEnds) {
     }
 }
 
+TEST(Relief, OfManyMeshesOfAbsurdCoordinatesStaysWithinOneBudget) {
+    Scene scene = mapped_square(ramp_map(), 0.5F);
+    scene.meshes[0].uv0[2] = {1e18F, 3e17F};
+    scene.meshes.resize(50, scene.meshes[0]);
+    raise_reliefs(scene);
+    std::size_t triangles = 0;
+    for (const Mesh& mesh : scene.meshes) triangles += mesh.indices.size() / 3;
+    EXPECT_LE(triangles, 4 * most_relief_triangles);
+}
+
+TEST(Relief, OfAMeshThatIsFinerThanAllReliefsMayBeSplitsNothing) {
+    Scene scene = mapped_square(ramp_map(), 0.5F);
+    std::vector<std::uint32_t>& indices = scene.meshes[0].indices;
+    while (indices.size() / 3 <= most_relief_triangles) {
+        const std::vector<std::uint32_t> once = indices;
+        indices.insert(indices.end(), once.begin(), once.end());
+    }
+    const std::size_t before = indices.size();
+    raise_reliefs(scene);
+    EXPECT_EQ(scene.meshes[0].indices.size(), before);
+    EXPECT_GT(scene.meshes[0].bounds_m.high.z, 0.1F) << "raised all the same";
+}
+
 }  // namespace
 }  // namespace facet::scene

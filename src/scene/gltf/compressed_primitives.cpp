@@ -6,6 +6,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
 #include <cstring>
 #include <limits>
 #include <map>
@@ -183,15 +184,33 @@ void tell_missing(DracoUse& use, const base::Error& error) {
                       .error = error.code});
 }
 
+/// What the accessors say that it takes.
+std::size_t decoded_bytes(const DracoUse& use, const DracoStream& stream) {
+    std::size_t bytes = stream.index_count * (stream.is_strip ? 3 : 1) * sizeof(std::uint32_t);
+    for (const std::uint32_t index : use.accessors) {
+        const Accessor& accessor = use.asset.accessors[index];
+        bytes += accessor.count * accessor.components * component_bytes(accessor.component);
+    }
+    return bytes;
+}
+
 void decode_primitive(DracoUse& use) {
     const auto stream = stream_of(use);
     if (!stream) return;
     const auto wanted = is_new(use, *stream);
-    if (!wanted || !*wanted) return;
+    if (!wanted) return;
+    // Draco knows triangles only; a strip's become a list.
+    const auto become_list = [&] {
+        if (stream->is_strip)
+            use.asset.json["meshes"][use.mesh]["primitives"][use.primitive]["mode"] = 4;
+    };
+    if (!*wanted) return become_list();
     auto decoded = decode_draco(*stream);
     if (!decoded) {
         if (decoded.error().code == base::ErrorCode::feature_missing)
             return tell_missing(use, decoded.error());
+        // It took its time, as often as primitives ask for it.
+        use.asset.memory_left -= std::min(use.asset.memory_left, decoded_bytes(use, *stream));
         use.problems.add(to_problem("MESH_PRIMITIVE_COMPRESSION_INVALID", decoded.error().where,
                                     decoded.error()));
         return;
@@ -202,9 +221,7 @@ void decode_primitive(DracoUse& use) {
         fill(use.asset, accessor, std::move(decoded->attributes[i]));
         accessor.is_lossy = true;
     }
-    // Draco knows triangles only; a strip's have become a list.
-    if (stream->is_strip)
-        use.asset.json["meshes"][use.mesh]["primitives"][use.primitive]["mode"] = 4;
+    become_list();
 }
 
 }  // namespace

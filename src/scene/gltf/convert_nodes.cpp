@@ -11,6 +11,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <span>
 #include <utility>
@@ -52,7 +53,8 @@ base::Result<std::vector<int>> choose_roots(Import& import) {
     return model.scenes[index].nodes;
 }
 
-std::vector<Skin> read_skins(const Import& import) {
+/// Errors: input_invalid (a matrix that is not finite).
+base::Result<std::vector<Skin>> read_skins(const Import& import) {
     std::vector<Skin> skins;
     for (std::size_t s = 0; s < count_at(import.asset.json, "skins"); ++s) {
         const Json& json = *element_at(import.asset.json, "skins", s);
@@ -65,6 +67,14 @@ std::vector<Skin> read_skins(const Import& import) {
         const Accessor& accessor = import.asset.accessors[*bind_index];
         if (accessor.components != 16) continue;
         const std::vector<float> floats = read_floats(accessor);
+        const auto bad = std::find_if(floats.begin(), floats.end(),
+                                      [](float value) { return !std::isfinite(value); });
+        if (bad != floats.end())
+            return base::fail({.code = ErrorCode::input_invalid,
+                               .where = pointer_text("skins", s, "/inverseBindMatrices"),
+                               .what = "value is NaN or infinite",
+                               .found = fmt::format("number {}", bad - floats.begin()),
+                               .remedy = "export the model again"});
         for (std::size_t j = 0; j < skin.joints.size() && j < accessor.count; ++j)
             for (std::size_t i = 0; i < 16; ++i)
                 skin.joint_from_object[j][static_cast<int>(i / 4)][static_cast<int>(i % 4)] =
@@ -82,6 +92,7 @@ struct Placer {
     std::map<std::pair<std::size_t, bool>, std::vector<MeshId>> meshes;
     /// Of the rig, by mesh: each with its primitive.
     std::map<std::size_t, std::vector<std::pair<PrimitiveId, std::size_t>>> shapes;
+    std::map<std::uint32_t, std::vector<Mat4>> joints;  ///< by skin
 };
 
 MeshId add_mesh(Import& import, Mesh mesh) {
@@ -163,8 +174,11 @@ base::Status place_mesh(Placer& placer, Placing placing, std::span<const Mat4> j
             return built;
         placer.meshes[key] = placing.meshes;
     }
-    const std::size_t bytes = std::max<std::size_t>(placing.meshes.size(), 1) * sizeof(Instance) +
-                              (import.has_clips ? sizeof(Placing) : 0);
+    const std::size_t instances = std::max<std::size_t>(placing.meshes.size(), 1);
+    const std::size_t bytes = instances * (sizeof(Instance) + placing.name.size()) +
+                              (import.has_clips ? sizeof(Placing) + placing.name.size() +
+                                                      placing.weights.size() * sizeof(float)
+                                                : 0);
     if (auto taken = import.take_memory(bytes, pointer_text("nodes", placing.node)); !taken)
         return taken;
     for (const MeshId id : placing.meshes)
@@ -185,12 +199,14 @@ base::Status convert_mesh_node(Placer& placer, std::uint32_t index) {
                              : node.weights;
     Placing placing{.node = index, .name = node.name};
     for (const double weight : weights) placing.weights.push_back(static_cast<float>(weight));
-    std::vector<Mat4> joints;
+    std::span<const Mat4> joints;
     if (node.skin >= 0) {
         // A skinned mesh stands where its joints are; its own node's place is ignored (glTF 2.0,
         // section 3.7.3.3).
         placing.skin = static_cast<std::uint32_t>(node.skin);
-        joints = joint_matrices(placer.rig.skins[*placing.skin], placer.pose);
+        std::vector<Mat4>& of_skin = placer.joints[*placing.skin];
+        if (of_skin.empty()) of_skin = joint_matrices(placer.rig.skins[*placing.skin], placer.pose);
+        joints = of_skin;
     }
     const auto copies = read_instances(import, index);
     if (!copies) return base::fail(copies.error());
@@ -210,10 +226,12 @@ base::Status convert_nodes(Import& import, Rig& rig) {
     if (!roots) return base::fail(roots.error());
     const auto shown = read_rig_nodes(import, *roots, rig);
     if (!shown) return base::fail(shown.error());
-    rig.skins = read_skins(import);
+    auto skins = read_skins(import);
+    if (!skins) return base::fail(skins.error());
+    rig.skins = std::move(*skins);
     const Pose pose = pose_at(rig, nullptr, 0.0);
     measure_lines(import, *shown, pose.world_from_node);
-    Placer placer{import, rig, pose, {}, {}};
+    Placer placer{import, rig, pose, {}, {}, {}};
     for (const std::uint32_t index : *shown) {
         const tinygltf::Node& node = import.model.nodes[index];
         if (node.mesh >= 0)

@@ -102,7 +102,16 @@ base::Result<Mesh> build_mesh(Import& import, const PrimitiveId& id, Shape shape
             return tl::unexpected(checked.error());
     const Material& material = import.scene.materials[shape.mesh.material.index];
     Mesh undeformed = std::move(shape.mesh);
+    // Flat faces have vertices of their own, and tangents may part others.
+    const std::size_t read = undeformed.positions_m.size();
+    const std::size_t expected =
+        undeformed.normals.empty() ? std::max(read, undeformed.indices.size()) : read;
+    if (auto taken = import.take_memory((expected - read) * vertex_bytes, where); !taken)
+        return tl::unexpected(taken.error());
     Deformed posed = deformed(std::move(undeformed), shape, by, material);
+    const std::size_t parted = std::max(posed.mesh.positions_m.size(), expected) - expected;
+    if (auto taken = import.take_memory(parted * vertex_bytes, where); !taken)
+        return tl::unexpected(taken.error());
     const int mode = import.model.meshes[id.mesh].primitives[id.primitive].mode;
     if (posed.flat_triangles > 0 && mode == TINYGLTF_MODE_TRIANGLES)
         import.warn(where, "triangles without area are skipped",

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 namespace facet::scene::gltf {
 namespace {
@@ -119,19 +120,33 @@ bool has_lines(const tinygltf::Mesh& mesh) {
         [](const tinygltf::Primitive& p) { return draws_points(p.mode) || draws_lines(p.mode); });
 }
 
-math::Bounds bounds_of(const Import& import, const tinygltf::Mesh& mesh) {
+math::Bounds bounds_of(const Import& import, std::size_t index) {
+    math::Bounds bounds;
+    if (index >= import.asset.accessors.size()) return bounds;
+    const Accessor& accessor = import.asset.accessors[index];
+    // What there is no memory for will be refused when it is read to be kept.
+    if (!accessor.is_sound || accessor.components != 3 ||
+        accessor.count > import.asset.memory_left / sizeof(Vec3))
+        return bounds;
+    const std::vector<float> p = read_floats(accessor);
+    for (std::size_t i = 0; i + 2 < p.size(); i += 3)
+        if (std::isfinite(p[i]) && std::isfinite(p[i + 1]) && std::isfinite(p[i + 2]))
+            bounds.add(Vec3(p[i], p[i + 1], p[i + 2]));
+    return bounds;
+}
+
+/// The box around a mesh. `known`: those of accessors, which primitives may share.
+math::Bounds bounds_of(const Import& import, const tinygltf::Mesh& mesh,
+                       std::map<std::size_t, math::Bounds>& known) {
     math::Bounds bounds;
     for (const tinygltf::Primitive& primitive : mesh.primitives) {
         const auto found = primitive.attributes.find("POSITION");
         if (found == primitive.attributes.end() || found->second < 0) continue;
-        const auto index = static_cast<std::size_t>(found->second);
-        if (index >= import.asset.accessors.size()) continue;
-        const Accessor& accessor = import.asset.accessors[index];
-        if (!accessor.is_sound || accessor.components != 3) continue;
-        const std::vector<float> p = read_floats(accessor);
-        for (std::size_t i = 0; i + 2 < p.size(); i += 3)
-            if (std::isfinite(p[i]) && std::isfinite(p[i + 1]) && std::isfinite(p[i + 2]))
-                bounds.add(Vec3(p[i], p[i + 1], p[i + 2]));
+        const auto [box, is_new] = known.try_emplace(static_cast<std::size_t>(found->second));
+        if (is_new) box->second = bounds_of(import, box->first);
+        if (box->second.is_empty()) continue;
+        bounds.add(box->second.low);
+        bounds.add(box->second.high);
     }
     return bounds;
 }
@@ -149,6 +164,7 @@ void measure_lines(Import& import, std::span<const std::uint32_t> shown,
                    std::span<const Mat4> world_from_node) {
     const auto& meshes = import.model.meshes;
     if (std::none_of(meshes.begin(), meshes.end(), has_lines)) return;
+    std::map<std::size_t, math::Bounds> accessor_boxes;
     std::vector<std::optional<math::Bounds>> boxes(meshes.size());
     std::vector<float> scales(meshes.size(), 0.0F);  // the largest that a mesh is placed with
     math::Bounds scene;
@@ -156,7 +172,7 @@ void measure_lines(Import& import, std::span<const std::uint32_t> shown,
         const tinygltf::Node& node = import.model.nodes[index];
         if (node.mesh < 0) continue;
         const auto mesh = static_cast<std::size_t>(node.mesh);
-        if (!boxes[mesh]) boxes[mesh] = bounds_of(import, meshes[mesh]);
+        if (!boxes[mesh]) boxes[mesh] = bounds_of(import, meshes[mesh], accessor_boxes);
         const Mat4 world = node.skin >= 0 ? Mat4(1.0F) : world_from_node[index];
         add_corners(*boxes[mesh], world, scene);
         scales[mesh] = std::max(scales[mesh], std::cbrt(std::fabs(glm::determinant(Mat3(world)))));

@@ -2,7 +2,26 @@
 // SPDX-License-Identifier: MIT
 #include "scene/gltf/problems.h"
 
+#include "scene/gltf/severity.h"
+
 namespace facet::scene::gltf {
+namespace {
+
+/// 0 to 2, worst last.
+int rank_of(const Problem& problem) {
+    if (verdict_of(problem) == Verdict::error) return 2;
+    return problem.severity == Severity::error ? 1 : 0;
+}
+
+}  // namespace
+
+void Problems::add(Problem problem) {
+    if (problem.severity == Severity::error) ++error_count_;
+    if (all_.size() < max_count)
+        all_.push_back(std::move(problem));
+    else if (rank_of(problem) > rank_of(all_.back()))
+        all_.back() = std::move(problem);
+}
 
 base::Error to_error(const Problem& p) {
     return {.code = p.error,

@@ -26,13 +26,10 @@ struct Problem {
 };
 
 /// Collects problems; drops those beyond `max_count`, so that a broken file of a million values
-/// stays small.
+/// stays small. The worst of those takes the last one's place: a file is judged by it.
 class Problems {
 public:
-    void add(Problem problem) {
-        if (problem.severity == Severity::error) ++error_count_;
-        if (all_.size() < max_count) all_.push_back(std::move(problem));
-    }
+    void add(Problem problem);
     void error(std::string_view code, std::string pointer, std::string what,
                std::string found = {}) {
         add({.code = std::string(code),

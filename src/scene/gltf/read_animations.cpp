@@ -1,5 +1,6 @@
 // Animations: every sampler checked and decoded, what is wrong kept beside the clip it is in.
 // SPDX-License-Identifier: MIT
+#include "base/text.h"
 #include "scene/gltf/attributes.h"
 #include "scene/gltf/elements.h"
 #include "scene/gltf/import.h"
@@ -31,17 +32,28 @@ tl::unexpected<base::Error> broken(std::string where, std::string what, std::str
                        .remedy = "export the model again"});
 }
 
-/// The first thing in the document that keeps the clip at `where` from being played.
-std::optional<base::Error> fault_of(const Problems& problems, const std::string& where) {
+/// The clip that a pointer leads into.
+std::optional<std::size_t> clip_at(std::string_view pointer) {
+    constexpr std::string_view before = "/animations/";
+    if (!pointer.starts_with(before)) return std::nullopt;
+    pointer.remove_prefix(before.size());
+    const auto number = base::parse_integer(pointer.substr(0, pointer.find('/')));
+    if (!number || *number < 0) return std::nullopt;
+    return static_cast<std::size_t>(*number);
+}
+
+/// By clip: the first thing in the document that keeps it from being played; null where none does.
+std::vector<const Problem*> faults_of(const Problems& problems, std::size_t clip_count) {
+    std::vector<const Problem*> first(clip_count, nullptr);
     for (const Problem& problem : problems.all()) {
-        const bool is_here = problem.pointer == where || problem.pointer.starts_with(where + "/");
-        const bool is_other =
-            problem.severity != Severity::error ||
+        if (problem.severity != Severity::error ||
             problem.code.starts_with("KHR_ANIMATION_POINTER") ||
-            std::find(playable.begin(), playable.end(), problem.code) != playable.end();
-        if (is_here && !is_other) return to_error(problem);
+            std::find(playable.begin(), playable.end(), problem.code) != playable.end())
+            continue;
+        const auto clip = clip_at(problem.pointer);
+        if (clip && *clip < clip_count && first[*clip] == nullptr) first[*clip] = &problem;
     }
-    return std::nullopt;
+    return first;
 }
 
 base::Result<const Accessor*> find_accessor(const Import& import, const Json& sampler,
@@ -116,10 +128,15 @@ base::Result<Moves> moves_of(const std::string& path, const std::string& where) 
     return broken(where + "/target/path", "an animation moves nothing of that name", path);
 }
 
-/// Floats of one value; 0: any number.
-std::size_t width_of(Moves what) {
-    if (what == Moves::weights) return 0;
-    return what == Moves::rotation ? 4 : 3;
+/// Floats of a value.
+std::size_t width_of(Moves what, const tinygltf::Model& model, std::size_t node) {
+    if (what != Moves::weights) return what == Moves::rotation ? 4 : 3;
+    const int mesh = model.nodes[node].mesh;
+    if (mesh < 0) return 0;
+    std::size_t most = 0;
+    for (const auto& primitive : model.meshes[static_cast<std::size_t>(mesh)].primitives)
+        most = std::max(most, primitive.targets.size());
+    return most;
 }
 
 /// One clip, channel by channel.
@@ -149,8 +166,9 @@ private:
             return broken(where + "/target/node", "no such node", std::to_string(*node));
         const auto keyframes = keyframes_of(channel, where);
         if (!keyframes) return base::fail(keyframes.error());
-        const std::size_t width = width_of(*what);
-        if (width > 0 && clip_.keyframes[*keyframes].width != width)
+        const std::size_t width = width_of(*what, import_.model, *node);
+        if (width == 0) return {};  // nothing there that it could move
+        if (clip_.keyframes[*keyframes].width != width)
             return broken(where + "/sampler", "number of values does not fit the times");
         clip_.channels.push_back({*node, *what, *keyframes});
         return {};
@@ -182,12 +200,15 @@ private:
 
 std::vector<Clip> read_clips(Import& import, const Problems& problems) {
     std::vector<Clip> clips(count_at(import.asset.json, "animations"));
+    const std::vector<const Problem*> faults = faults_of(problems, clips.size());
     for (std::size_t i = 0; i < clips.size(); ++i) {
         Clip& clip = clips[i];
         clip.name = import.scene.animations[i];
+        if (faults[i] != nullptr) {
+            clip.fault = to_error(*faults[i]);
+            continue;  // the checks' warning tells of it
+        }
         const std::string where = pointer_text("animations", i);
-        clip.fault = fault_of(problems, where);
-        if (clip.fault) continue;  // the checks' warning tells of it
         const Json& json = *element_at(import.asset.json, "animations", i);
         if (const auto read = ClipReader(import, json, where, clip).read(); !read) {
             clip.fault = read.error();
