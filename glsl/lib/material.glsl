@@ -125,6 +125,7 @@ void fetch_transmission(inout Surface s) {
 void fetch_diffuse_transmission(inout Surface s) {
     s.far_color = draw.diffuse_transmission.rgb;
     s.far_share = draw.diffuse_transmission.a;
+    s.scattered = draw.scattered.rgb;
 #if FACET_DIFFUSE_TRANSMISSION_TEXTURE
     s.far_share *= texture(diffuse_transmission_texture, slot_uv(14)).a;
 #endif

@@ -30,6 +30,7 @@ struct Surface {
 #if FACET_DIFFUSE_TRANSMISSION
     vec3 far_color;
     float far_share;  // of diffuse light
+    vec3 scattered;  // diffuse albedo of a deep layer of what is within; 0: nothing is scattered there
 #endif
 #if FACET_ANISOTROPY
     vec3 tangent;  // unit, square to the normal; highlights are long along it

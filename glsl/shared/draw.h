@@ -12,8 +12,9 @@ struct Draw {
     vec4 transmission;                  // share, thickness in metres, ior, dispersion
     vec4 absorbed_per_m;                // rgb
     vec4 diffuse_transmission;          // rgb, share
-    vec4 anisotropy;                    // strength, cosine and sine of the rotation
-    vec4 iridescence;                   // strength, ior, thickness in nm from and to
+    vec4 scattered;    // rgb: diffuse albedo of a deep layer; 0: nothing is scattered within
+    vec4 anisotropy;   // strength, cosine and sine of the rotation
+    vec4 iridescence;  // strength, ior, thickness in nm from and to
     vec4 uv_rows[42];  // two a texture slot: u' = dot(row.xyz, (u, v, 1)), w: UV set
     uvec4 ids;         // object, material, 1 where unlit, index of the draw
 };

@@ -114,7 +114,13 @@ void Bsdf::set_far(const Surface& surface, Draws draws) {
     if (surface.transmission <= 0.0F && surface.diffuse_transmission <= 0.0F) return;
     Lobes terms = model_->environment;
     const Vec3 left = terms.brdf_left(view_) * left_by_layers();
-    far_.emplace(terms, surface, view_, local_eye_, left);
+    ThinLobe thin{.roughness = surface.thin_roughness};
+    if (!surface.has_volume && surface.transmission > 0.0F) {
+        const Lobes::real4 albedo = model_->albedo(view_.n_dot_v, thin.roughness);
+        thin.alpha = terms.slot_width(thin.roughness);
+        thin.albedo = albedo.x + albedo.y;
+    }
+    far_.emplace(terms, surface, view_.surface.alpha, thin, local_eye_, left);
     const auto near = environment_weight();
     const float of_far = math::luminance(far_->weight());
     const float of_near = math::luminance(near.diffuse + near.specular);

@@ -17,22 +17,26 @@ using math::Vec3;
 /// An index of 1 bends nothing, and no half vector tells where light comes from.
 constexpr float ior_min = 1.001F;
 
+/// Of a volume over what is around it.
+float relative_ior(const Surface& surface) {
+    const float ratio = std::max(surface.ior, ior_min) / surface.ior_around;
+    return ratio < 1.0F ? std::min(ratio, 1.0F / ior_min) : std::max(ratio, ior_min);
+}
+
 }  // namespace
 
-FarSide::FarSide(const Lobes& terms, const Surface& surface, const Lobes::BrdfView& view,
+FarSide::FarSide(const Lobes& terms, const Surface& surface, float alpha, const ThinLobe& thin,
                  const Vec3& to_eye, const Vec3& left)
     : terms_(terms),
       to_eye_(to_eye),
-      alpha_(view.surface.alpha),
-      is_inside_(surface.has_volume && !surface.front),
+      alpha_(surface.has_volume ? alpha : thin.alpha),
       has_volume_(surface.has_volume),
       is_smooth_(alpha_ < mirror_alpha_max),
-      eta_(std::max(surface.ior, ior_min)),
-      thin_albedo_(std::max(view.a + view.b, 1e-3F)),
-      roughness_(view.surface.roughness) {
+      eta_(surface.front ? relative_ior(surface) : 1.0F / relative_ior(surface)),
+      thin_(thin) {
+    is_inside_ = has_volume_ && (!surface.front || eta_ < 1.0F);
     const float diffuse = 1.0F - surface.transmission;
     if (is_inside_) {
-        eta_ = 1.0F / eta_;
         const float through = surface.transmission * (1.0F - surface.metallic);
         // Of the boundary, not of what it lets through: else light at angles of total reflection
         // would go round in a ball for ever.
@@ -76,8 +80,8 @@ FarSide::Value FarSide::value(const Vec3& to_light) const {
         const float v_dot_h = std::clamp(math::dot(to_eye_, h), 0.0F, 1.0F);
         const float n_dot_h = std::min(h.z, 1.0F);
         const float d_v = terms.slot_distribution(n_dot_h, alpha_) *
-                          terms.slot_masking(to_eye_.z, cosine, roughness_, alpha_);
-        out.specular = through_ * (d_v * cosine / thin_albedo_);
+                          terms.slot_masking(to_eye_.z, cosine, thin_.roughness, alpha_);
+        out.specular = through_ * (d_v * cosine / std::max(thin_.albedo, 1e-3F));
         out.pdf += others * terms.slot_pdf_reflected(to_eye_.z, n_dot_h, v_dot_h, alpha_);
         return out;
     }

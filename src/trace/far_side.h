@@ -9,15 +9,24 @@
 
 namespace facet::trace {
 
+/// A lobe that reflects, as what is thin sends it on to its far side.
+struct ThinLobe {
+    float roughness = 1.0F;
+    float alpha = 1.0F;
+    float albedo = 1.0F;  ///< seen as it is, without Fresnel
+};
+
 /// Directions are in the frame of the shading normal, the viewer's z is above 0. Lights are asked
 /// for below, and within a volume on either side.
 class FarSide {
 public:
-    /// `left`: what the surface's other lobes leave of white light.
-    FarSide(const Lobes& terms, const Surface& surface, const Lobes::BrdfView& view,
+    /// `alpha`: of the boundary of a volume; `thin`: in its place without one. `left`: what the
+    /// surface's other lobes leave of white light.
+    FarSide(const Lobes& terms, const Surface& surface, float alpha, const ThinLobe& thin,
             const math::Vec3& to_eye, const math::Vec3& left);
 
-    /// Seen from within a volume, nothing else of the surface is: its own reflection is in this.
+    /// Seen from within a volume, or from a denser one around it, nothing else of the surface is:
+    /// its own reflection, which may be total, is in this.
     [[nodiscard]] bool is_inside() const { return is_inside_; }
     /// Light goes through in one direction alone.
     [[nodiscard]] bool is_smooth() const { return is_smooth_; }
@@ -58,8 +67,7 @@ private:
     math::Vec3 diffuse_near_{0.0F};  ///< likewise within a volume, of that side
     float diffuse_share_ = 0.0F;     ///< of the samples
     float near_share_ = 0.0F;
-    float thin_albedo_ = 1.0F;  ///< of the lobe without Fresnel
-    float roughness_;
+    ThinLobe thin_;
 };
 
 }  // namespace facet::trace

@@ -28,6 +28,14 @@ Vec3 directional_way(const Light& light, Vec2 u) {
     return Terms{}.sample_sphere(-light.direction, std::sin(0.5F * light.angle_rad), u);
 }
 
+float directional_pdf(const Light& light, const Vec3& to_light) {
+    if (light.angle_rad <= 0.0F) return 0.0F;
+    const float radius = std::sin(0.5F * light.angle_rad);
+    return Terms{}.hit_sphere(-light.direction, radius, to_light) > 0.0F
+               ? Terms{}.pdf_sphere(1.0F, radius)
+               : 0.0F;
+}
+
 LightSample sample_point(const Light& light, const Vec3& to_center) {
     const float distance2 = std::max(math::dot(to_center, to_center), 1e-12F);
     LightSample out;

@@ -6,8 +6,6 @@
 
 namespace facet::trace {
 
-/// What a light's range leaves of it at a distance.
-
 /// One way to light a point.
 struct LightSample {
     math::Vec3 direction{0.0F};  ///< unit, to the light
@@ -20,6 +18,9 @@ struct LightSample {
 
 /// A directional light: a direction within the cone that it fills, evenly drawn.
 [[nodiscard]] math::Vec3 directional_way(const scene::Light& light, math::Vec2 u);
+/// The density of that, 1/sr, and so its nit for each lux; 0 beside the cone and of one without an
+/// angle.
+[[nodiscard]] float directional_pdf(const scene::Light& light, const math::Vec3& to_light);
 
 /// A light at a point, seen from where `to_center` begins.
 [[nodiscard]] LightSample sample_point(const scene::Light& light, const math::Vec3& to_center);

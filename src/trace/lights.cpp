@@ -50,6 +50,7 @@ Lights::Lights(const scene::Scene& scene, const Textures& textures, const Light*
     for (const Light& light : lights_) {
         axes_.push_back(scene::axes_of(light));
         if (is_sized(light)) ++sized_count_;
+        if (light.kind == LightKind::directional && light.angle_rad > 0.0F) has_suns_ = true;
     }
     first_emitter_.assign(scene.instances.size(), no_emitter);
     for (std::uint32_t i = 0; i < scene.instances.size(); ++i) add_emitters(scene, i);
@@ -132,8 +133,14 @@ LightSample Lights::sample(const Choice& choice, const Vec3& position_m, Vec2 u,
     LightSample out;
     if (light.kind == LightKind::directional) {
         out.direction = directional_way(light, u);
-        out.distance_m = 1e30F;
+        out.distance_m = Ray{}.far_m;
         out.light = light.color * light.intensity;
+        out.has_size = light.angle_rad > 0.0F;
+        if (out.has_size) {
+            // Drawn to the rim, where a look may miss it.
+            out.pdf = Terms{}.pdf_sphere(1.0F, std::sin(0.5F * light.angle_rad));
+            out.light *= out.pdf;
+        }
     } else if (!is_sized(light)) {
         out = sample_point(light, to_center);
     } else {
@@ -182,38 +189,48 @@ LightSample Lights::sample_mesh(const Vec3& position_m, Vec2 u, float pick) cons
     return out;
 }
 
-Vec3 Lights::met(const Ray& ray, float pdf, float total_weight, const Hit* at_end) const {
+Vec3 Lights::met(const Ray& ray, const DrawnWay& drawn, const Vec3& extinction_per_m,
+                 const Hit* at_end) const {
     Vec3 sum(0.0F);
-    if (sized_count_ == 0) return sum;
+    const bool has_suns = drawn.among == Among::all && has_suns_;
+    if (sized_count_ == 0 && !has_suns) return sum;
     std::size_t shape_of = no_light;
     if (at_end != nullptr) shape_of = scene_->instances[at_end->instance].light.value_or(no_light);
     for (std::size_t i = 0; i < lights_.size(); ++i) {
         const Light& light = lights_[i];
-        if (!is_sized(light)) continue;
+        const bool is_sun = light.kind == LightKind::directional;
+        if (is_sun ? !has_suns : !is_sized(light)) continue;
         float own = 0.0F;
+        float distance = 0.0F;
         const Vec3 to_center = light.position_m - ray.origin;
-        const float distance = hit_shape(light, axes_[i], to_center, ray.direction, own);
+        if (is_sun) {
+            own = directional_pdf(light, ray.direction);
+            distance = own > 0.0F ? Ray{}.far_m : 0.0F;
+        } else {
+            distance = hit_shape(light, axes_[i], to_center, ray.direction, own);
+        }
         // A light's triangles lie on its surface or a little within.
         const bool is_at_end = places_[i] == shape_of;
         const float far_m = light.casts_shadow && !is_at_end ? ray.far_m : Ray{}.far_m;
         if (distance <= ray.near_m || distance > far_m) continue;
-        const float chosen = chance(weight(light, ray.origin), total_weight);
-        sum += light.color * (light.intensity * power_share(pdf, own * chosen) *
-                              scene::range_window(light, math::dot(to_center, to_center)));
+        const float chosen = chance(weight(light, ray.origin), drawn.total_weight);
+        float share = light.intensity * power_share(drawn.density(), own * chosen);
+        share *= is_sun ? own : scene::range_window(light, math::dot(to_center, to_center));
+        sum += light.color * share * left_after(extinction_per_m, distance - ray.near_m);
     }
     return sum;
 }
 
-float Lights::mesh_pdf(const Hit& hit, const Ray& ray, float total_weight) const {
+float Lights::mesh_share(const Hit& hit, const Ray& ray, const DrawnWay& drawn) const {
     const std::size_t first = first_emitter_[hit.instance];
-    if (first == no_emitter) return 0.0F;
+    if (first == no_emitter) return 1.0F;
     const float area2 = math::length(hit.normal);
     const float cosine = std::fabs(math::dot(hit.normal, ray.direction)) / std::max(area2, 1e-30F);
     const std::size_t emitter = first + hit.triangle;
-    const float pdf =
-        Terms{}.pdf_area(emitters_[emitter].area_m2, hit.distance_m * hit.distance_m, cosine);
-    return pdf * emitter_shares_.share(static_cast<std::uint32_t>(emitter)) *
-           chance(mesh_weight(ray.origin), total_weight);
+    const float pdf = Terms{}.pdf_area(emitters_[emitter].area_m2, ray.far_m * ray.far_m, cosine);
+    return power_share(drawn.density(),
+                       pdf * emitter_shares_.share(static_cast<std::uint32_t>(emitter)) *
+                           chance(mesh_weight(ray.origin), drawn.total_weight));
 }
 
 }  // namespace facet::trace

@@ -14,6 +14,12 @@
 
 namespace facet::trace {
 
+/// Share of light that is left after that way.
+[[nodiscard]] inline math::Vec3 left_after(const math::Vec3& extinction_per_m, float distance_m) {
+    return extinction_per_m == math::Vec3(0.0F) ? math::Vec3(1.0F)
+                                                : glm::exp(-extinction_per_m * distance_m);
+}
+
 /// Share of a sample of density `own` where another strategy draws it with `other` (Veach 1997,
 /// Section 9.2.4: power heuristic, exponent 2). Both 1/sr.
 [[nodiscard]] inline float power_share(float own, float other) {
@@ -55,17 +61,27 @@ public:
     [[nodiscard]] math::Vec3 irradiance(const math::Vec3& position_m,
                                         const math::Vec3& normal) const;
 
-    /// Radiance of the lights with a size that a ray meets between `near_m` and `far_m`: all of
-    /// them, as only shapes that end the ray hide others, and those beyond it that cast no shadow.
-    /// Each is weighted against sample(), which would have drawn that direction too, by the power
-    /// heuristic; `pdf` is the ray's own density, `total_weight` that of choose() at its origin.
-    /// `at_end`: what the ray ends at, or null; where it is a light's own shape, that light is met
-    /// for sure.
-    [[nodiscard]] math::Vec3 met(const Ray& ray, float pdf, float total_weight,
+    /// How a ray's direction was drawn at its origin, where lights were drawn from too.
+    struct DrawnWay {
+        float pdf = 0.0F;           ///< 1/sr
+        bool is_mirror = false;     ///< nothing else could have drawn it
+        Among among = Among::all;   ///< which lights were
+        float total_weight = 0.0F;  ///< Choice::total_weight of them
+
+        /// A mirror's has no bound: what the light draws itself counts nothing beside it.
+        [[nodiscard]] float density() const { return is_mirror ? 1e20F : pdf; }
+    };
+    /// Radiance of the lights that a ray meets between `near_m` and `far_m`: those with a size, all
+    /// of them, as only shapes that end the ray hide others, and those beyond it that cast no
+    /// shadow; and, where they were drawn from, directional lights that fill an angle. Each is
+    /// weighted against sample(), which would have drawn that direction too, by the power
+    /// heuristic. `extinction_per_m`: on the way from `near_m` on. `at_end`: what the ray ends at,
+    /// or null; where it is a light's own shape, that light is met for sure.
+    [[nodiscard]] math::Vec3 met(const Ray& ray, const DrawnWay& drawn,
+                                 const math::Vec3& extinction_per_m = math::Vec3(0.0F),
                                  const Hit* at_end = nullptr) const;
-    /// Density with which sample() would have drawn the place of a mesh that emits, met by a ray at
-    /// `hit`, where it emits.
-    [[nodiscard]] float mesh_pdf(const Hit& hit, const Ray& ray, float total_weight) const;
+    /// The weight, likewise, of a mesh that emits, met by a ray at `hit`, which is at its far_m.
+    [[nodiscard]] float mesh_share(const Hit& hit, const Ray& ray, const DrawnWay& drawn) const;
 
 private:
     struct Emitter {
@@ -91,6 +107,7 @@ private:
     std::vector<scene::LightAxes> axes_;  ///< by light
     std::vector<std::size_t> places_;     ///< in the scene, by light
     std::size_t sized_count_ = 0;
+    bool has_suns_ = false;  ///< directional lights that fill an angle
     std::vector<Emitter> emitters_;
     std::vector<std::size_t>
         first_emitter_;  ///< by instance; a mesh's emitters are in the order of its triangles

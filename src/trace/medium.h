@@ -5,16 +5,18 @@
 #include "trace/sequence.h"
 #include "trace/surface.h"
 
+#include <array>
+
 namespace facet::trace {
 
+/// Volumes within volumes: each is left where a surface of its material is, so that what floats in
+/// a drink, or overlaps with its glass, is in that again outside.
 class Medium {
 public:
-    [[nodiscard]] bool scatters() const { return scattered_ != math::Vec3(0.0F); }
-    /// Share of light that is left after that way, where nothing scatters.
-    [[nodiscard]] math::Vec3 left_after(float distance_m) const {
-        return extinction_per_m_ == math::Vec3(0.0F) ? math::Vec3(1.0F)
-                                                     : glm::exp(-extinction_per_m_ * distance_m);
-    }
+    [[nodiscard]] bool scatters() const { return here().scattered != math::Vec3(0.0F); }
+    [[nodiscard]] const math::Vec3& extinction_per_m() const { return here().extinction_per_m; }
+    /// On the surface's far side.
+    [[nodiscard]] math::Vec3 extinction_beyond(const Surface& surface) const;
 
     /// What happens on the way to a surface.
     struct Event {
@@ -30,14 +32,30 @@ public:
 
     /// The ray goes on to the surface's far side.
     void cross(const Surface& surface);
-    /// What disperses light is met by one channel's light, of which there is that much more: the
-    /// surface's index becomes that channel's. Returns the factor on the path's light.
-    [[nodiscard]] math::Vec3 choose_channel(Surface& surface, Sequence& sequence);
+    /// Gives the surface of a volume the index that light meets there: in what is around it, and of
+    /// one channel's light, of which there is that much more, where it disperses. Returns the
+    /// factor on the path's light.
+    [[nodiscard]] math::Vec3 meet(Surface& surface, Sequence& sequence);
 
 private:
-    math::Vec3 extinction_per_m_{0.0F};
-    math::Vec3 scattered_{0.0F};
-    float anisotropy_ = 0.0F;
+    /// One volume; air where nothing is set.
+    struct Volume {
+        std::uint32_t material = 0;
+        math::Vec3 extinction_per_m{0.0F};
+        math::Vec3 scattered{0.0F};
+        float anisotropy = 0.0F;
+        float ior = 1.0F;
+    };
+    [[nodiscard]] const Volume& here() const { return volumes_[depth_]; }
+    /// The place in volumes_ of the one that the back of a surface is of; 0 where the path did not
+    /// enter it.
+    [[nodiscard]] std::size_t left_at(const Surface& surface) const;
+    /// What is around the volume whose surface that is.
+    [[nodiscard]] const Volume& around(const Surface& surface) const;
+
+    static constexpr std::size_t most_nested = 4;
+    std::array<Volume, most_nested + 1> volumes_{};  ///< air, and what the path entered
+    std::size_t depth_ = 0;
     std::uint32_t turns_ = 0;
     int channel_ = -1;  ///< of dispersed light, the only one left
 };

@@ -50,7 +50,7 @@ public:
         Surface first = surface;
         ray_.direction = -to_eye;
         widens_ = draws != Bsdf::Draws::far;  // what is seen through glass is a picture
-        if (!widens_) keep(medium_.choose_channel(first, sequence_));
+        if (!widens_) keep(medium_.meet(first, sequence_));
         const Bsdf bsdf(world_.model, first, to_eye, draws);
         add_sampled_environment(bsdf, first);
         // Lights without a size are the rasteriser's, but from the far side.
@@ -69,9 +69,7 @@ public:
         add_sampled_lights(bsdf, ground, Lights::Among::all);
         known_ = 0.0F;
         if (scatter(bsdf, ground, cone_m)) {
-            const EnvironmentLight::Light sky = world_.environment.at(ray_.direction);
-            out_.radiance_nit -= throughput_ * sky.radiance_nit * power_share(pdf_, sky.pdf) +
-                                 of_light_ * world_.lights.met(ray_, pdf_, light_weight_);
+            out_.radiance_nit -= met_sky() + of_light_ * world_.lights.met(ray_, drawn_);
             while (step()) {
             }
         }
@@ -89,7 +87,7 @@ private:
         const bool found =
             world_.geometry.intersect(ray_, from_camera() ? Viewer::camera : Viewer::light, hit);
         if constexpr (books == Books::gathered)
-            if (bounce_ == 1 && passed_ == 0) add_open_sky();
+            if (bounce_ == 1 && passed_ == 0) book_.add_open(met_sky(), first_);
         if (from_camera() && world_.scene.ground) {
             // The ground goes on beyond the far plane.
             Ray to_hit = ray_;
@@ -99,30 +97,27 @@ private:
                 return false;
             }
         }
-        if (!from_camera()) {
-            Ray to_hit = ray_;
-            if (found) to_hit.far_m = hit.distance_m;
-            // A mirror's density has no bound: what the light draws itself counts nothing beside
-            // it.
-            constexpr float unbounded = 1e20F;
-            add_scattered(of_light_ * world_.lights.met(to_hit, mirrored_ ? unbounded : pdf_,
-                                                        light_weight_, found ? &hit : nullptr),
-                          From::light);
-        }
+        if (!from_camera())
+            add_scattered(
+                of_light_ * world_.lights.met(drawn_ray(found ? &hit : nullptr), drawn_,
+                                              medium_.extinction_per_m(), found ? &hit : nullptr),
+                From::light);
         if (!found) {
             add_environment();
             return false;
         }
+        const float way_m = hit.distance_m - ray_.near_m;
         if (medium_.scatters()) {
-            if (travel(hit.distance_m)) return true;
+            if (travel(way_m)) return true;
             if (throughput_ == Vec3(0.0F)) return false;
         } else {
-            keep(medium_.left_after(hit.distance_m));
+            keep(left_after(medium_.extinction_per_m(), way_m));
         }
         const float cone_m = cone_.width_at(hit.distance_m);
         Surface surface =
             surface_at(world_.scene, world_.frames, world_.textures, hit, ray_.direction, cone_m);
         if constexpr (books == Books::gathered) {
+            // But not what thin glass lets through: shadows through it are known.
             const float least = std::sqrt(least_alpha_);
             surface.roughness = std::max(surface.roughness, least);
             surface.coat_roughness = std::max(surface.coat_roughness, least);
@@ -131,7 +126,7 @@ private:
         if (from_camera()) out_.coverage = 1.0F;
         add_emission(hit, surface);
         if (surface.unlit || bounce_ >= world_.bounce_limit) return false;
-        keep(medium_.choose_channel(surface, sequence_));
+        keep(medium_.meet(surface, sequence_));
         const Bsdf bsdf(world_.model, surface, -ray_.direction);
         add_sampled_environment(bsdf, surface);
         add_sampled_lights(bsdf, surface, Lights::Among::all);
@@ -144,8 +139,17 @@ private:
             medium_.travel(ray_.direction, distance_m, throughput_, sequence_);
         keep(event.factor);
         if (event.direction == Vec3(0.0F)) return false;
-        ray_ = {ray_.origin + ray_.direction * event.distance_m, event.direction};
+        ray_ = {ray_.origin + ray_.direction * (ray_.near_m + event.distance_m), event.direction};
+        // Lights are not drawn from there: what the ray meets counts whole.
+        drawn_from_m_ = ray_.origin;
+        drawn_ = {.pdf = 1.0F, .is_mirror = true};
         return true;
+    }
+    /// The ray as it was where its direction was drawn, to what it meets.
+    [[nodiscard]] Ray drawn_ray(const Hit* at_end) const {
+        const float gone_m = math::dot(ray_.origin - drawn_from_m_, ray_.direction);
+        return {drawn_from_m_, ray_.direction, gone_m + ray_.near_m,
+                at_end != nullptr ? gone_m + at_end->distance_m : Ray{}.far_m};
     }
     void keep(const Vec3& share) {
         throughput_ *= share;
@@ -174,10 +178,10 @@ private:
             book_.write(nit, from_camera() ? bsdf.diffuse_shares(direction) : first_, from,
                         from_camera());
     }
-    void add_open_sky() {
+    /// Of the sky that the ray ends in.
+    [[nodiscard]] Vec3 met_sky() const {
         const EnvironmentLight::Light light = world_.environment.at(ray_.direction);
-        const float share = mirrored_ ? 1.0F : power_share(pdf_, light.pdf);
-        book_.add_open(throughput_ * light.radiance_nit * share, first_);
+        return throughput_ * light.radiance_nit * power_share(drawn_.density(), light.pdf);
     }
 
     /// Goes on behind a blended surface that let the ray through.
@@ -202,17 +206,11 @@ private:
     }
 
     void add_environment() {
-        if (from_camera() && !world_.shows_environment) return;
-        const EnvironmentLight::Light light = from_camera()
-                                                  ? backdrop(world_, ray_.direction, sequence_)
-                                                  : world_.environment.at(ray_.direction);
-        if (from_camera()) out_.coverage = 1.0F;
-        const float share = from_camera() || mirrored_ ? 1.0F : power_share(pdf_, light.pdf);
-        const Vec3 nit = throughput_ * light.radiance_nit * share;
-        if (from_camera())
-            add(nit, &LightPaths::background);
-        else
-            add_scattered(nit, From::sky);
+        if (!from_camera()) return add_scattered(met_sky(), From::sky);
+        if (!world_.shows_environment) return;
+        out_.coverage = 1.0F;
+        add(throughput_ * backdrop(world_, ray_.direction, sequence_).radiance_nit,
+            &LightPaths::background);
     }
 
     void add_emission(const Hit& hit, const Surface& surface) {
@@ -224,10 +222,9 @@ private:
         // What a light's own shape shows is counted where the light was met.
         if (instance.light && !from_camera()) return;
         // Lights that are drawn are taken without their coat, so others' share of them is too.
-        const float share =
-            from_camera() || mirrored_
-                ? through_coat(world_.model, surface, -ray_.direction)
-                : power_share(pdf_, world_.lights.mesh_pdf(hit, ray_, light_weight_));
+        const float share = from_camera() || drawn_.is_mirror
+                                ? through_coat(world_.model, surface, -ray_.direction)
+                                : world_.lights.mesh_share(hit, drawn_ray(&hit), drawn_);
         add_seen(of_light_ * surface.emissive_nit * share, From::light);
     }
     void add_seen(const Vec3& nit, From from) {
@@ -257,9 +254,10 @@ private:
 
     void add_sampled_lights(const Bsdf& bsdf, const Surface& surface, Lights::Among among) {
         const std::size_t count = world_.lights.count(among);
+        lights_here_ = {.among = among};
         if (count == 0) return;
         if (from_camera() && count <= most_drawn_each) {
-            light_weight_ = Lights::every_light;
+            lights_here_.total_weight = Lights::every_light;
             for (std::size_t i = 0; i < world_.lights.count(); ++i)
                 if (among == Lights::Among::all || world_.lights.has_size(i))
                     add_light(bsdf, surface, {i, 1.0F, 0.0F}, sequence_.next());
@@ -267,7 +265,7 @@ private:
         }
         const math::Vec2 chance = sequence_.next_pair();
         const Lights::Choice choice = world_.lights.choose(surface.outside_m, chance.x, among);
-        light_weight_ = choice.total_weight;
+        lights_here_.total_weight = choice.total_weight;
         if (choice.probability > 0.0F) add_light(bsdf, surface, choice, chance.y);
     }
 
@@ -287,6 +285,10 @@ private:
                 world_.geometry.transmittance({side(surface, sample.direction), sample.direction,
                                                0.0F, sample.distance_m * almost});
         }
+        const bool crosses = math::dot(surface.face_normal, sample.direction) < 0.0F;
+        through *=
+            left_after(crosses ? medium_.extinction_beyond(surface) : medium_.extinction_per_m(),
+                       sample.distance_m);
         if (through == Vec3(known_)) return;
         Vec3 factor = (through - known_) / choice.probability;
         if (sample.has_size) {
@@ -307,17 +309,18 @@ private:
             if (from_camera())
                 first_ = sample.is_mirror ? Bsdf::DiffuseShares{}
                                           : bsdf.diffuse_shares(sample.direction);
+        const Vec3& origin_m = side(surface, sample.direction);
         if (sample.is_straight && !from_camera()) {
-            // The direction is the one that was drawn before the glass; so is its density.
+            // The direction is the one that was drawn before the glass.
             of_light_ *= sample.scattered.of_light;
-            light_weight_ = light_weight_before_;
         } else {
-            pdf_ = sample.scattered.pdf;
-            mirrored_ = sample.is_mirror;
-            of_light_ = throughput_ * sample.scattered.of_light / pdf_;
+            drawn_from_m_ = origin_m;
+            drawn_ = lights_here_;
+            drawn_.pdf = sample.scattered.pdf;
+            drawn_.is_mirror = sample.is_mirror;
+            of_light_ = throughput_ * sample.scattered.of_light / sample.scattered.pdf;
         }
         throughput_ *= sample.scattered.of_environment / sample.scattered.pdf;
-        light_weight_before_ = light_weight_;
         if (math::dot(surface.face_normal, sample.direction) < 0.0F) medium_.cross(surface);
         ++bounce_;
         if (bounce_ >= first_roulette) {
@@ -327,11 +330,10 @@ private:
             throughput_ /= survival;
             of_light_ /= survival;
         }
-        ray_ = {side(surface, sample.direction),
-                sample.is_straight ? ray_.direction : sample.direction};
+        ray_ = {origin_m, sample.is_straight ? ray_.direction : sample.direction};
         cone_.width_m = cone_m;
-        if (!mirrored_) {
-            const float width = 1.0F / std::sqrt(pdf_);
+        if (!drawn_.is_mirror) {
+            const float width = 1.0F / std::sqrt(drawn_.pdf);
             cone_.spread = std::max(cone_.spread, lobe_cone * width);
             if (widens_) least_alpha_ = std::max(least_alpha_, std::min(1.0F, widening * width));
         }
@@ -344,13 +346,12 @@ private:
     Cone cone_;
     Vec3 throughput_{
         1.0F};  ///< for what counts as environment: the sky, and light from other surfaces
-    Vec3 of_light_{1.0F};  ///< for lights, which the lecture masks otherwise
-    float pdf_ = 0.0F;     ///< of the ray's direction, 1/sr
-    float light_weight_ = 0.0F;
-    float light_weight_before_ = 0.0F;  ///< at the surface that chose the ray's direction
+    Vec3 of_light_{1.0F};      ///< for lights, which the lecture masks otherwise
+    Vec3 drawn_from_m_{0.0F};  ///< where the ray's direction was drawn: before glass that is thin
+    Lights::DrawnWay drawn_;   ///< and how
+    Lights::DrawnWay lights_here_;  ///< what was drawn of the lights at the surface at hand
     Medium medium_;
-    float known_ = 0.0F;  ///< share of what is drawn that is counted already
-    bool mirrored_ = false;
+    float known_ = 0.0F;        ///< share of what is drawn that is counted already
     float least_alpha_ = 0.0F;  ///< of the next surface, where
     bool widens_ = true;
     std::uint32_t bounce_ = 0;

@@ -125,6 +125,7 @@ Surface surface_at(const scene::Scene& scene, const std::vector<InstanceFrame>& 
     s.normal = shown.normal;
     s.bumps = shown.bumps;
     fill_layers(scene, normal_from_object, point, -direction, s);
+    s.thin_roughness = s.roughness;
     s.roughness = with_bumps(s.roughness, s.bumps);
     return s;
 }
@@ -158,15 +159,21 @@ Surface seen_surface(const scene::Scene& scene, const std::vector<InstanceFrame>
     s.normal = pixel.normal;
     s.base_color = pixel.base_color;
     s.metallic = pixel.metallic;
-    s.roughness = pixel.roughness;
+    s.roughness = s.thin_roughness = pixel.roughness;
     s.dielectric_f0 = pixel.dielectric_f0;
     s.specular = pixel.specular;
     const float length = math::length(normal);
     set_sides(s, normal / std::max(length, 1e-30F), from_eye.direction, frames[pixel.instance]);
     if (scene::has_layers(scene.material_of(scene.instances[pixel.instance]))) {
         const Hit hit{.instance = pixel.instance, .triangle = pixel.triangle, .u = u, .v = v};
-        fill_layers(scene, frames[pixel.instance].normal_from_object, {scene, textures, hit},
-                    -from_eye.direction, s);
+        const Point point(scene, textures, hit);
+        fill_layers(scene, frames[pixel.instance].normal_from_object, point, -from_eye.direction,
+                    s);
+        if (s.transmission > 0.0F && point.has(TextureSlot::normal_texture)) {
+            Surface plain;
+            fill_material(point, plain);
+            s.thin_roughness = plain.roughness;
+        }
     }
     return s;
 }

@@ -26,6 +26,8 @@ struct Surface {
     float metallic = 0.0F;
     float roughness = 1.0F;  ///< perceptual
     float bumps = 0.0F;      ///< of the normal map's level (image/normal_mips.h): in the roughness
+    /// Without them, as both sides of a thin wall have the same and light through it is not turned.
+    float thin_roughness = 1.0F;
     math::Vec3 dielectric_f0{Lobes::DIELECTRIC_F0};
     float specular = 1.0F;  ///< strength of the dielectric's reflection
     float coat = 0.0F;      ///< strength of the lacquer over it; without it the two below are unset
@@ -35,7 +37,8 @@ struct Surface {
     float sheen_roughness = 0.0F;
     float transmission = 0.0F;  ///< share of the light below the reflection that goes on through
     bool has_volume = false;    ///< which bends that light, by
-    float ior = 1.5F;           ///< and takes of it:
+    float ior = 1.5F;           ///< from what is around, of this index,
+    float ior_around = 1.0F;    ///< and takes of it:
     math::Vec3 extinction_per_m{0.0F};
     math::Vec3 scattered{0.0F};       ///< share of that which is scattered, not absorbed
     float scatter_anisotropy = 0.0F;  ///< mean cosine

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "trace/visibility.h"
 
-#include "math/color.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -12,23 +10,23 @@ namespace {
 
 using math::Vec3;
 
-/// From the surface to a light without a size; 0 where the surface turns away.
-float visible(const World& world, const Surface& surface, const scene::Light& light,
-              Sequence& sequence) {
+/// From the surface to a light without a size, by channel; 0 where the surface turns away.
+Vec3 visible(const World& world, const Surface& surface, const scene::Light& light,
+             Sequence& sequence) {
     Ray ray{.origin = surface.outside_m, .direction = -light.direction};
     if (light.angle_rad > 0.0F) ray.direction = directional_way(light, sequence.next_pair());
     if (light.kind != tables::LightKind::directional) {
         const Vec3 way = light.position_m - surface.outside_m;
         const float distance = math::length(way);
-        if (!(distance > 0.0F)) return 1.0F;
-        if (light.range_m > 0.0F && distance >= light.range_m) return 0.0F;
+        if (!(distance > 0.0F)) return Vec3(1.0F);
+        if (light.range_m > 0.0F && distance >= light.range_m) return Vec3(0.0F);
         ray.direction = way / distance;
         ray.far_m = distance;
     }
     if (math::dot(surface.normal, ray.direction) <= 0.0F ||
         math::dot(surface.face_normal, ray.direction) <= 0.0F)
-        return 0.0F;
-    return light.casts_shadow ? math::luminance(world.geometry.transmittance(ray)) : 1.0F;
+        return Vec3(0.0F);
+    return light.casts_shadow ? world.geometry.transmittance(ray) : Vec3(1.0F);
 }
 
 }  // namespace
@@ -37,16 +35,19 @@ std::vector<std::uint8_t> light_visibility(const World& world, const Seen& seen,
                                            const LightChoice& lights, std::size_t slots,
                                            const SampleId& sample, base::ThreadPool& pool) {
     const std::size_t pixels = seen.pixels.size();
-    std::vector<std::uint8_t> out(slots * pixels, 255);
+    std::vector<std::uint8_t> out(slots * pixels * 4, 255);
     for_each_surface(
         seen, pool, [&](std::uint32_t x, std::uint32_t y, std::size_t at, const SeenPixel& pixel) {
             const Surface surface =
                 seen_surface(world.scene, world.frames, world.textures, pixel, seen.ray(x, y));
             const auto choice = lights.at(x, y);
             Sequence sequence(seen.number_of(x, y), sample.frame, sample.seed);
-            for (std::size_t i = 0; i < std::min(choice.size(), slots); ++i)
-                out[i * pixels + at] = static_cast<std::uint8_t>(std::lround(
-                    255.0F * visible(world, surface, world.light(choice[i]), sequence)));
+            for (std::size_t i = 0; i < std::min(choice.size(), slots); ++i) {
+                const Vec3 share = visible(world, surface, world.light(choice[i]), sequence);
+                for (int c = 0; c < 3; ++c)
+                    out[(i * pixels + at) * 4 + static_cast<std::size_t>(c)] =
+                        static_cast<std::uint8_t>(std::lround(255.0F * share[c]));
+            }
         });
     return out;
 }

@@ -9,7 +9,8 @@
 namespace facet::trace {
 
 /// `sample`: where in a wide light is looked at. Share of each light that reaches each pixel,
-/// 0..255: [slot, height, width] by place in the pixel's choice. Slots beyond `slots` are left out.
+/// 0..255: [slot, height, width, RGBA] by place in the pixel's choice; A is unused. Slots beyond
+/// `slots` are left out.
 /// The same bytes for any number of threads.
 [[nodiscard]] std::vector<std::uint8_t> light_visibility(const World& world, const Seen& seen,
                                                          const LightChoice& lights,

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <memory>
+#include <utility>
 
 namespace facet::test {
 
@@ -52,6 +53,18 @@ inline scene::Scene scene_of(scene::Mesh mesh, const scene::Material& material =
     scene.instances.push_back(
         {.mesh = {0}, .world_from_object = math::Mat4(1.0F), .node = "node", .object_id = 1});
     return scene;
+}
+
+/// Adds a mesh with a material of its own.
+inline void add(scene::Scene& scene, scene::Mesh mesh, const scene::Material& material,
+                const math::Mat4& world_from_object) {
+    mesh.material = {static_cast<std::uint32_t>(scene.materials.size())};
+    scene.materials.push_back(material);
+    scene.meshes.push_back(std::move(mesh));
+    scene.instances.push_back({.mesh = {static_cast<std::uint32_t>(scene.meshes.size() - 1)},
+                               .world_from_object = world_from_object,
+                               .node = "added",
+                               .object_id = static_cast<std::uint32_t>(scene.meshes.size())});
 }
 
 /// On the z axis, `distance_m` before the origin, looking at it; orthographic with `half_height_m`

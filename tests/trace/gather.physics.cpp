@@ -139,12 +139,13 @@ TEST(LightVisibility, AWallShadesTheFloorAsFarAsItsHeightOverTheTangent) {
     AllLights lights;
     lights.indices = {0, 1, 2};
     const auto shares = tracer->light_visibility(look_down(8), lights, 3, {}, pool);
-    ASSERT_EQ(shares.size(), 24U);
-    for (std::size_t x = 0; x < 8; ++x) {
-        EXPECT_EQ(shares[x], x < 4 ? 0 : 255) << x;
-        EXPECT_EQ(shares[8 + x], 255) << x;
-        EXPECT_EQ(shares[16 + x], 0) << x;
-    }
+    ASSERT_EQ(shares.size(), 96U);
+    for (std::size_t x = 0; x < 8; ++x)
+        for (std::size_t c = 0; c < 3; ++c) {
+            EXPECT_EQ(shares[x * 4 + c], x < 4 ? 0 : 255) << x;
+            EXPECT_EQ(shares[(8 + x) * 4 + c], 255) << x;
+            EXPECT_EQ(shares[(16 + x) * 4 + c], 0) << x;
+        }
 }
 
 std::vector<trace::GatherPoint> plane_points(std::uint32_t side) {

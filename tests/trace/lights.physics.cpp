@@ -115,7 +115,8 @@ TEST(AreaLights, DensityOfARayThatMeetsTheLightIsThatOfItsDraw) {
             const Ray ray{Vec3(0.0F), sample.direction};
             // power_share(p, q) = 1 / (1 + (q / p)^2): with p = sample.pdf it is a half where the
             // densities agree.
-            const float share = lights.met(ray, sample.pdf, choice.total_weight).x;
+            const float share =
+                lights.met(ray, {.pdf = sample.pdf, .total_weight = choice.total_weight}).x;
             if (share == 0.0F) continue;  // drawn at the rim, missed by a rounding
             ++met;
             // The side of a tube 1 cm thick and 1 m away is known to 1e-5 rad: near its edge, where

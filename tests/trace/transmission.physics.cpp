@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace facet::test {
@@ -168,26 +169,175 @@ TEST(Transmission, ThinGlassDimsLightByItsFresnelAndColorAndDoesNotBendIt) {
     }
 }
 
+/// A square floor of 2 m, white, under a square light of 20 cm that shines down on it from 1 m.
+TraceShot lit_floor(bool is_mesh) {
+    TraceShot shot{.scene = scene_of(quad(2.0F), material(Vec3(1.0F), 0.0F, 1.0F))};
+    shot.scene.materials.front().values.specular = 0.0F;
+    shot.camera = camera_on_z(0.5F, 0.2F);
+    shot.settings.picture = shot.settings.size = {8, 8};
+    shot.settings.samples = 256;
+    if (!is_mesh) {
+        shot.scene.lights = {{.kind = tables::LightKind::rect,
+                              .intensity = 30.0F,
+                              .position_m = {0.0F, 0.0F, 1.0F},
+                              .direction = {0.0F, 0.0F, -1.0F},
+                              .width_m = 0.2F,
+                              .height_m = 0.2F}};
+        return shot;
+    }
+    scene::Material lamp = material(Vec3(0.0F), 0.0F, 1.0F);
+    lamp.values.emissive = Vec3(30.0F);
+    add(shot.scene, quad(0.2F), lamp,
+        glm::rotate(glm::translate(math::Mat4(1.0F), Vec3(0.0F, 0.0F, 1.0F)), math::pi,
+                    Vec3(1.0F, 0.0F, 0.0F)));
+    return shot;
+}
+
+// Rays that meet the light straight through the glass are weighed by how they were drawn before it.
+TEST(Transmission, ALightBehindThinClearGlassCountsOnce) {
+    for (const bool is_mesh : {false, true}) {
+        TraceShot shot = lit_floor(is_mesh);
+        const float bare = mean(traced(shot).radiance).x;
+        EXPECT_NEAR(bare, 30.0F * 0.04F / math::pi, 0.04F) << "a little less than below it";
+        scene::Material pane = glass(0.0F, 0.0F);
+        pane.values.specular = 0.0F;  // whose reflections would come on top
+        pane.double_sided = true;
+        for (const float height_m : {0.6F, 0.95F}) {
+            TraceShot behind = shot;
+            add(behind.scene, quad(1.0F), pane,
+                glm::translate(math::Mat4(1.0F), Vec3(0.0F, 0.0F, height_m)));
+            EXPECT_NEAR(mean(traced(behind).radiance).x / bare, 1.0F, 0.02F)
+                << is_mesh << " glass at " << height_m;
+        }
+    }
+}
+
+// 30 nit through one boundary, and 0.8 m of what takes light.
+TEST(Transmission, ALightWithinAVolumeIsDimmedByItsWay) {
+    scene::Material volume = glass(0.0F, 1.0F);
+    volume.values.ior = 1.0F;
+    volume.values.attenuation_distance_m = 0.5F;
+    volume.values.attenuation_color = {0.8F, 0.5F, 0.2F};
+    TraceShot shot{.scene = scene_of(sphere(256), volume)};
+    shot.scene.lights = {{.kind = tables::LightKind::sphere, .intensity = 30.0F, .radius_m = 0.2F}};
+    shot.settings.picture = shot.settings.size = {65, 65};
+    const Vec4 middle = pixel(traced(shot).radiance, 32, 32);
+    for (int c = 0; c < 3; ++c) {
+        const float expected = 30.0F * std::pow(volume.values.attenuation_color[c], 1.6F);
+        EXPECT_NEAR(middle[c], expected, 0.01F * expected) << c;
+    }
+}
+
+// A clear ball of half the size within one that absorbs: half of the way is left.
+TEST(Transmission, AVolumeGoesOnBehindOneThatIsWithinIt) {
+    scene::Material outer = glass(0.0F, 1.0F);
+    outer.values.ior = 1.0F;
+    outer.values.attenuation_distance_m = 0.5F;
+    outer.values.attenuation_color = {0.8F, 0.5F, 0.2F};
+    scene::Material inner = glass(0.0F, 1.0F);
+    inner.values.ior = 1.0F;
+    TraceShot shot{.scene = scene_of(sphere(256), outer),
+                   .latlong = constant_environment(Vec3(1.0F))};
+    add(shot.scene, sphere(256), inner, glm::scale(math::Mat4(1.0F), Vec3(0.5F)));
+    shot.settings.picture = shot.settings.size = {65, 65};
+    shot.settings.samples = 256;
+    const image::Image radiance = traced(shot).radiance;
+    Vec4 middle(0.0F);  // of several pixels, as paths may end by chance
+    for (std::uint32_t y = 30; y < 35; ++y)
+        for (std::uint32_t x = 30; x < 35; ++x) middle += pixel(radiance, x, y) / 25.0F;
+    for (int c = 0; c < 3; ++c)
+        EXPECT_NEAR(middle[c], std::pow(outer.values.attenuation_color[c], 2.0F), 0.02F) << c;
+}
+
+/// Glass with a ball of another index within, in a picture of an uneven sky.
+image::Image glass_around(float inner_ior) {
+    scene::Material outer = glass(0.0F, 1.0F);
+    TraceShot shot{.scene = scene_of(sphere(256), outer),
+                   .latlong = constant_environment(Vec3(1.0F))};
+    auto above = std::make_shared<image::Image>(*shot.latlong);
+    const auto nit = above->as<float>();
+    std::fill(nit.begin() + static_cast<std::ptrdiff_t>(nit.size() / 2), nit.end(), 0.0F);
+    shot.latlong = above;
+    if (inner_ior > 0.0F) {
+        scene::Material inner = outer;
+        inner.values.ior = inner_ior;
+        add(shot.scene, sphere(256), inner, glm::scale(math::Mat4(1.0F), Vec3(0.6F)));
+    }
+    shot.settings.samples = 64;
+    return traced(shot).radiance;
+}
+
+TEST(Transmission, WhatHasTheIndexOfTheGlassAroundItIsNotSeen) {
+    const image::Image alone = glass_around(0.0F);
+    const auto difference = [&](const image::Image& other) {
+        const auto a = alone.as<float>();
+        const auto b = other.as<float>();
+        double sum = 0.0;
+        for (std::size_t i = 0; i < a.size(); ++i)
+            sum += static_cast<double>(std::fabs(a[i] - b[i]));
+        return sum / static_cast<double>(a.size());
+    };
+    EXPECT_LT(difference(glass_around(1.5F)), 0.02);
+    EXPECT_GT(difference(glass_around(1.3F)), 0.05);
+}
+
+TEST(Transmission, AMirrorAndGlassShowTheDiscOfTheSun) {
+    scene::Material mirror = material(Vec3(1.0F), 1.0F, 0.0F);
+    scene::Material pane = glass(0.0F, 0.0F);
+    pane.values.specular = 0.0F;
+    pane.double_sided = true;
+    constexpr float angle_rad = 0.3F;
+    const float disc_sr = 2.0F * math::pi * (1.0F - std::cos(0.5F * angle_rad));
+    for (const bool is_mirror : {true, false})
+        for (const float off_rad : {0.0F, 0.14F, 0.16F}) {
+            TraceShot shot{.scene = scene_of(quad(2.0F), is_mirror ? mirror : pane)};
+            const float away = is_mirror ? -1.0F : 1.0F;
+            shot.scene.lights = {{.kind = tables::LightKind::directional,
+                                  .intensity = 5.0F,
+                                  .direction = {std::sin(off_rad), 0.0F, away * std::cos(off_rad)},
+                                  .angle_rad = angle_rad}};
+            const float expected = off_rad < 0.5F * angle_rad ? 5.0F / disc_sr : 0.0F;
+            EXPECT_NEAR(mean(traced(shot).radiance).x, expected, 0.05F) << is_mirror << off_rad;
+        }
+}
+
+/// With a direction around the y axis.
+scene::Mesh brushed_sphere() {
+    scene::Mesh mesh = sphere(96);
+    for (const Vec3& n : mesh.normals) {
+        const Vec3 along = math::cross(Vec3(0.0F, 1.0F, 0.0F), n);
+        const float length = math::length(along);
+        mesh.tangents.emplace_back(length > 1e-4F ? along / length : Vec3(1.0F, 0.0F, 0.0F), 1.0F);
+    }
+    return mesh;
+}
+
 TEST(Anisotropy, ABrushedSphereVanishesInAFurnace) {
     for (const float metallic : {0.0F, 1.0F})
         for (const float roughness : {0.1F, 0.4F, 0.7F})
             for (const float strength : {0.3F, 0.7F, 1.0F}) {
                 scene::Material brushed = material(Vec3(1.0F), metallic, roughness);
                 brushed.values.anisotropy = strength;
-                TraceShot shot{.scene = scene_of(sphere(96), brushed),
+                TraceShot shot{.scene = scene_of(brushed_sphere(), brushed),
                                .latlong = constant_environment(Vec3(1.0F))};
-                scene::Mesh& mesh = shot.scene.meshes.front();
-                for (const Vec3& n : mesh.normals) {
-                    const Vec3 along = math::cross(Vec3(0.0F, 1.0F, 0.0F), n);
-                    const float length = math::length(along);
-                    mesh.tangents.emplace_back(
-                        length > 1e-4F ? along / length : Vec3(1.0F, 0.0F, 0.0F), 1.0F);
-                }
                 shot.settings.samples = 64;
                 const Vec4 sum = mean(traced(shot).radiance);
                 EXPECT_NEAR(sum.x / sum.w, 1.0F, 0.02F)
                     << metallic << " roughness " << roughness << " strength " << strength;
             }
+}
+
+TEST(Anisotropy, BrushedThinGlassVanishesInAFurnace) {
+    for (const float roughness : {0.2F, 0.5F}) {
+        scene::Material brushed = glass(roughness, 0.0F);
+        brushed.values.anisotropy = 1.0F;
+        brushed.double_sided = true;
+        TraceShot shot{.scene = scene_of(brushed_sphere(), brushed),
+                       .latlong = constant_environment(Vec3(1.0F))};
+        shot.settings.samples = 128;
+        const Vec4 sum = mean(traced(shot).radiance);
+        EXPECT_NEAR(sum.x / sum.w, 1.0F, 0.02F) << roughness;
+    }
 }
 
 TEST(Iridescence, AFilmKeepsAllLightOfAWhiteSphere) {

@@ -1,7 +1,17 @@
 // Light from the far side of a surface (glsl/brdf/model/transmission.glsl): as rays found it at this very sample, else of the
-// environment alone, as if nothing else were there.
+// environment alone, as if nothing else were there. Without rays, what scatters light within is Lambert's surface of the colour
+// that deep layers of it have.
 #define FACET_FAR_SIDE (FACET_TRANSMISSION || FACET_DIFFUSE_TRANSMISSION)
 #if FACET_FAR_SIDE
+#if FACET_DIFFUSE_TRANSMISSION
+bool is_deep(ShadePoint p) {
+#if FACET_SAMPLE_LIGHT
+    return false;
+#else
+    return p.surface.scattered != vec3(0.0);
+#endif
+}
+#endif
 // Factors on light that goes through, and on diffuse light.
 BrdfValue far_weight(ShadePoint p, BrdfView brdf) {
     vec3 left = brdf_left(brdf) * left_by_layers();
@@ -12,7 +22,7 @@ BrdfValue far_weight(ShadePoint p, BrdfView brdf) {
     share -= p.surface.transmission;
 #endif
 #if FACET_DIFFUSE_TRANSMISSION
-    w.diffuse = left * p.surface.far_color * (share * p.surface.far_share);
+    if (!is_deep(p)) w.diffuse = left * p.surface.far_color * (share * p.surface.far_share);
 #endif
     return w;
 }
@@ -48,16 +58,18 @@ vec3 far_light(ShadePoint p, BrdfView brdf, vec3 to_light, vec3 illuminance) {
     float behind = -dot(p.surface.normal, to_light);
     if (behind <= 0.0) return vec3(0.0);
     BrdfValue w = far_weight(p, brdf);
-    vec3 f = w.diffuse / PI;
+    vec3 through = vec3(0.0);
     // What is thin sends light on as it would reflect it, on the other side.
     vec3 above = to_light + p.surface.normal * (2.0 * behind);
     vec3 h = normalize(p.to_eye + above);
     float n_dot_h = clamp(dot(p.surface.normal, h), 0.0, 1.0);
     if (p.surface.roughness >= MIRROR_ROUGHNESS)
-        f += w.specular * brdf_d_v(brdf, behind, n_dot_h) / max(brdf.a + brdf.b, 1e-3);
-    vec3 nit = f * illuminance * behind;
+        through = w.specular * brdf_d_v(brdf, behind, n_dot_h) / max(brdf.a + brdf.b, 1e-3);
+    vec3 arriving = illuminance * behind;
+    vec3 nit = (w.diffuse / PI + through) * arriving;
 #if FACET_LIGHT_PATHS
-    paths.specular_direct += nit;
+    paths.diffuse_direct += w.diffuse / PI * arriving;
+    paths.specular_direct += through * arriving;
 #endif
 #ifdef FACET_EXPLAIN
     explained.far_nit.rgb += nit;

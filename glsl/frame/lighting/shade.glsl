@@ -20,7 +20,7 @@ uniform usamplerBuffer light_indices;
 #endif
 
 #if FACET_VISIBILITY
-uniform samplerBuffer light_visibility;  // [slot, pixel]: share of a light that arrives, by its place in the tile's list
+uniform samplerBuffer light_visibility;  // [slot, pixel]: rgb share of a light that arrives, by its place in the tile's list
 #endif
 #if FACET_INDIRECT
 #include "frame/lighting/indirect.glsl"
@@ -58,7 +58,7 @@ float explain_distance_m = 0.0;  // to the light at hand; 0: infinitely far
 #endif
 
 // visible: share of the light that arrives; has_size: mirrors show it.
-vec3 lit_by(ShadePoint p, BrdfView brdf, vec3 to_light, vec3 illuminance, float visible, bool has_size) {
+vec3 lit_by(ShadePoint p, BrdfView brdf, vec3 to_light, vec3 illuminance, vec3 visible, bool has_size) {
     float n_dot_l = clamp(dot(p.surface.normal, to_light), 0.0, 1.0);
     vec3 sum = p.to_eye + to_light;
     vec3 h = sum * inversesqrt(max(dot(sum, sum), 1e-12));
@@ -82,7 +82,7 @@ vec3 lit_by(ShadePoint p, BrdfView brdf, vec3 to_light, vec3 illuminance, float 
     BrdfTerms terms = brdf_terms(brdf, n_dot_l, n_dot_h, v_dot_h);
     float v = slot_masking(brdf.n_dot_v, n_dot_l, brdf.surface.roughness, brdf.surface.alpha);
     explain_lit(ExplainedLight(uvec4(0u), vec4(to_light, explain_distance_m), vec4(illuminance, 0.0),
-                               vec4(n_dot_l, n_dot_h, v_dot_h, visible), vec4(terms.d * mirrored, terms.g, v, 0.0),
+                               vec4(n_dot_l, n_dot_h, v_dot_h, dot(visible, vec3(0.2126, 0.7152, 0.0722))), vec4(terms.d * mirrored, terms.g, v, 0.0),
                                vec4(terms.f, 0.0), vec4(terms.k_d, 0.0), vec4(terms.k_s, 0.0),
                                vec4(f.diffuse, 0.0), vec4(f.specular, 0.0)));
 #endif
@@ -105,16 +105,16 @@ vec3 lit_by(ShadePoint p, BrdfView brdf, vec3 to_light, vec3 illuminance, float 
 
 // Share of a light that reaches this pixel: of its rays, by its place in the tile's list (those that there was no room for are
 // taken to be lit), or by its map. light: in the packed order; from_light: metres, from its middle.
-float light_visible(uint slot, int light, ShadePoint p, vec3 from_light) {
+vec3 light_visible(uint slot, int light, ShadePoint p, vec3 from_light) {
 #if FACET_SHADOW_MAPS
     float n_dot_l = -dot(p.surface.normal, from_light) * inversesqrt(max(dot(from_light, from_light), 1e-20));
-    return shadow_share(light, p.position_m, p.surface.normal, from_light, clamp(n_dot_l, 0.0, 1.0));
+    return vec3(shadow_share(light, p.position_m, p.surface.normal, from_light, clamp(n_dot_l, 0.0, 1.0)));
 #elif FACET_VISIBILITY
-    if (slot >= view.rays.y) return 1.0;
+    if (slot >= view.rays.y) return vec3(1.0);
     uvec2 pixel = uvec2(gl_FragCoord.xy);
-    return texelFetch(light_visibility, int(slot * view.rays.x + pixel.y * view.rays.z + pixel.x)).r;
+    return texelFetch(light_visibility, int(slot * view.rays.x + pixel.y * view.rays.z + pixel.x)).rgb;
 #else
-    return 1.0;
+    return vec3(1.0);
 #endif
 }
 
@@ -181,7 +181,10 @@ vec3 shade(ShadePoint p) {
     surface.diffuse *= 1.0 - p.surface.transmission;
 #endif
 #if FACET_DIFFUSE_TRANSMISSION
-    surface.diffuse *= 1.0 - p.surface.far_share;
+    if (is_deep(p))
+        surface.base_color = mix(surface.base_color, p.surface.far_color * p.surface.scattered, p.surface.far_share);
+    else
+        surface.diffuse *= 1.0 - p.surface.far_share;
 #endif
     vec4 albedo = textureLod(albedo_table, albedo_coordinates(seen.x, seen.y), 0.0);
     BrdfView brdf = brdf_view(surface, n_dot_v, albedo);

@@ -82,7 +82,7 @@ RayTextures make_ray_textures(const gl::Context& gl) {
     RayTextures out;
     const std::array<std::byte, 4> nothing{};
     out.visibility = gl::make_buffer(gl, nothing);
-    out.visibility_texture = gl::make_buffer_texture(gl, out.visibility, GL_R8);
+    out.visibility_texture = gl::make_buffer_texture(gl, out.visibility, GL_RGBA8);
     return out;
 }
 

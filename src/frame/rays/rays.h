@@ -74,8 +74,8 @@ public:
     /// Lives until the next call. `frame`: which sample of the picture.
     [[nodiscard]] virtual SampleLight sample_light(std::uint32_t frame) = 0;
     [[nodiscard]] virtual bool has_shadows() const = 0;
-    /// Share of light that arrives, 0..255: [slot, height, width] by a light's place in its tile's
-    /// list.
+    /// Share of light that arrives, 0..255: [slot, height, width, RGBA] by a light's place in its
+    /// tile's list; A is unused.
     [[nodiscard]] virtual std::vector<std::uint8_t> visibility(const TileLights& lights,
                                                                std::size_t slots,
                                                                std::uint32_t frame) = 0;
