@@ -62,6 +62,8 @@ std::string objection_to(const fs::path& folder) {
     struct stat status {};
     // A link that another made in a shared folder would lead to what is not the cache's.
     if (::lstat(folder.c_str(), &status) != 0) return std::generic_category().message(errno);
+    if (status.st_uid != ::geteuid()) return "belongs to another user";
+    if (::stat(folder.c_str(), &status) != 0) return std::generic_category().message(errno);
     if (!S_ISDIR(status.st_mode)) return "is no folder";
     if (status.st_uid != ::geteuid()) return "belongs to another user";
     if ((status.st_mode & (S_IWGRP | S_IWOTH)) != 0) return "others may write to it";

@@ -48,7 +48,7 @@ LightSample sample_point(const Light& light, const Vec3& to_center) {
 LightSample sample_area(const Vec3& to_place, const Vec3& normal, float area) {
     const float distance2 = math::dot(to_place, to_place);
     LightSample out;
-    out.has_size = true;
+    out.has_pdf = true;
     if (!(distance2 > 0.0F)) return out;
     out.distance_m = std::sqrt(distance2);
     out.direction = to_place / out.distance_m;

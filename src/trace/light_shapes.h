@@ -10,9 +10,9 @@ namespace facet::trace {
 struct LightSample {
     math::Vec3 direction{0.0F};  ///< unit, to the light
     float distance_m = 0.0F;
-    math::Vec3 light{0.0F};  ///< lux at normal incidence of a light without a size, else nit
-    float pdf = 0.0F;        ///< 1/sr of a light with a size; 0: nothing to light with
-    bool has_size = false;
+    math::Vec3 light{0.0F};  ///< nit of a light with a density, else lux at normal incidence
+    float pdf = 0.0F;        ///< 1/sr; 0: nothing to light with
+    bool has_pdf = false;    ///< it fills an angle, by its size or as a sun
     bool casts_shadow = true;
 };
 

@@ -135,8 +135,8 @@ LightSample Lights::sample(const Choice& choice, const Vec3& position_m, Vec2 u,
         out.direction = directional_way(light, u);
         out.distance_m = Ray{}.far_m;
         out.light = light.color * light.intensity;
-        out.has_size = light.angle_rad > 0.0F;
-        if (out.has_size) {
+        out.has_pdf = light.angle_rad > 0.0F;
+        if (out.has_pdf) {
             // Drawn to the rim, where a look may miss it.
             out.pdf = Terms{}.pdf_sphere(1.0F, std::sin(0.5F * light.angle_rad));
             out.light *= out.pdf;
@@ -162,9 +162,9 @@ Vec3 Lights::irradiance(const Vec3& position_m, const Vec3& normal) const {
             const Vec2 u = (Vec2(k % steps, k / steps) + 0.5F) / static_cast<float>(steps);
             const LightSample s = sample({i, 1.0F, 0.0F}, position_m, u, 0.0F);
             const float cosine = math::dot(s.direction, normal);
-            if (!(cosine > 0.0F) || (s.has_size && !(s.pdf > 0.0F))) continue;
-            sum += s.light *
-                   (cosine / (s.has_size ? s.pdf : 1.0F) / static_cast<float>(steps * steps));
+            if (!(cosine > 0.0F) || (s.has_pdf && !(s.pdf > 0.0F))) continue;
+            sum +=
+                s.light * (cosine / (s.has_pdf ? s.pdf : 1.0F) / static_cast<float>(steps * steps));
         }
     }
     return sum;
@@ -200,6 +200,8 @@ Vec3 Lights::met(const Ray& ray, const DrawnWay& drawn, const Vec3& extinction_p
         const Light& light = lights_[i];
         const bool is_sun = light.kind == LightKind::directional;
         if (is_sun ? !has_suns : !is_sized(light)) continue;
+        // Nothing hides it: it was met when the ray set out.
+        if (!light.casts_shadow && ray.near_m > 0.0F) continue;
         float own = 0.0F;
         float distance = 0.0F;
         const Vec3 to_center = light.position_m - ray.origin;
@@ -216,7 +218,9 @@ Vec3 Lights::met(const Ray& ray, const DrawnWay& drawn, const Vec3& extinction_p
         const float chosen = chance(weight(light, ray.origin), drawn.total_weight);
         float share = light.intensity * power_share(drawn.density(), own * chosen);
         share *= is_sun ? own : scene::range_window(light, math::dot(to_center, to_center));
-        sum += light.color * share * left_after(extinction_per_m, distance - ray.near_m);
+        // What a sun shines through without an end has no far side to dim it by.
+        const Vec3 left = is_sun ? Vec3(1.0F) : left_after(extinction_per_m, distance - ray.near_m);
+        sum += light.color * share * left;
     }
     return sum;
 }

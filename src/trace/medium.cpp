@@ -83,14 +83,18 @@ std::size_t Medium::left_at(const Surface& surface) const {
 
 void Medium::cross(const Surface& surface) {
     if (!surface.has_volume) return;
-    if (surface.front) {
-        depth_ = std::min(depth_ + 1, most_nested);
+    if (surface.front && depth_ == most_nested) {
+        ++beyond_;
+    } else if (surface.front) {
+        ++depth_;
         const bool scatters = surface.extinction_per_m != Vec3(0.0F);
         volumes_[depth_] = {.material = surface.material,
                             .extinction_per_m = surface.extinction_per_m,
                             .scattered = scatters ? surface.scattered : Vec3(0.0F),
                             .anisotropy = surface.scatter_anisotropy,
-                            .ior = surface.ior};
+                            .ior = std::max(surface.ior, 1.0F)};
+    } else if (beyond_ > 0) {
+        --beyond_;
     } else if (depth_ > 0) {
         std::copy(volumes_.begin() + left_at(surface) + 1, volumes_.begin() + depth_ + 1,
                   volumes_.begin() + left_at(surface));
@@ -120,7 +124,9 @@ Vec3 Medium::meet(Surface& surface, Sequence& sequence) {
         surface.ior =
             Lobes{}.dispersed_ior(surface.ior, surface.dispersion, static_cast<float>(channel_));
     }
-    surface.ior_around = around(surface).ior;
+    // Where another volume overlaps with its back, that one goes on and nothing bends.
+    const bool goes_on = !surface.front && left_at(surface) != depth_;
+    surface.ior_around = goes_on ? surface.ior : around(surface).ior;
     if (surface.front && surface.ior_around > 1.0F) {
         const float in_air = reflected_head_on(surface.ior);
         surface.dielectric_f0 *=

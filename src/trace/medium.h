@@ -47,8 +47,8 @@ private:
         float ior = 1.0F;
     };
     [[nodiscard]] const Volume& here() const { return volumes_[depth_]; }
-    /// The place in volumes_ of the one that the back of a surface is of; 0 where the path did not
-    /// enter it.
+    /// The place in volumes_ of the one that the back of a surface is of: the innermost, where the
+    /// path entered none of its material.
     [[nodiscard]] std::size_t left_at(const Surface& surface) const;
     /// What is around the volume whose surface that is.
     [[nodiscard]] const Volume& around(const Surface& surface) const;
@@ -56,6 +56,7 @@ private:
     static constexpr std::size_t most_nested = 4;
     std::array<Volume, most_nested + 1> volumes_{};  ///< air, and what the path entered
     std::size_t depth_ = 0;
+    std::size_t beyond_ = 0;  ///< volumes entered that there was no room for
     std::uint32_t turns_ = 0;
     int channel_ = -1;  ///< of dispersed light, the only one left
 };

@@ -274,7 +274,7 @@ private:
                    float pick) {
         const LightSample sample =
             world_.lights.sample(choice, surface.outside_m, sequence_.next_pair(), pick);
-        if (sample.light == Vec3(0.0F) || (sample.has_size && !(sample.pdf > 0.0F))) return;
+        if (sample.light == Vec3(0.0F) || (sample.has_pdf && !(sample.pdf > 0.0F))) return;
         const Scattered f = bsdf.evaluate(sample.direction);
         if (f.of_light == Vec3(0.0F)) return;
         Vec3 through(1.0F);
@@ -285,13 +285,15 @@ private:
                 world_.geometry.transmittance({side(surface, sample.direction), sample.direction,
                                                0.0F, sample.distance_m * almost});
         }
-        const bool crosses = math::dot(surface.face_normal, sample.direction) < 0.0F;
-        through *=
-            left_after(crosses ? medium_.extinction_beyond(surface) : medium_.extinction_per_m(),
-                       sample.distance_m);
+        if (sample.distance_m < Ray{}.far_m) {
+            const bool crosses = math::dot(surface.face_normal, sample.direction) < 0.0F;
+            through *= left_after(
+                crosses ? medium_.extinction_beyond(surface) : medium_.extinction_per_m(),
+                sample.distance_m);
+        }
         if (through == Vec3(known_)) return;
         Vec3 factor = (through - known_) / choice.probability;
-        if (sample.has_size) {
+        if (sample.has_pdf) {
             const float own = sample.pdf * choice.probability;
             factor = (through - known_) * (power_share(own, f.pdf) / own);
         }

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace facet::test {
 namespace {
@@ -195,8 +196,10 @@ TraceShot lit_floor(bool is_mesh) {
 
 // Rays that meet the light straight through the glass are weighed by how they were drawn before it.
 TEST(Transmission, ALightBehindThinClearGlassCountsOnce) {
-    for (const bool is_mesh : {false, true}) {
-        TraceShot shot = lit_floor(is_mesh);
+    for (const char* const lamp : {"listed", "hidden by nothing", "mesh"}) {
+        TraceShot shot = lit_floor(lamp == std::string("mesh"));
+        for (scene::Light& light : shot.scene.lights)
+            light.casts_shadow = lamp == std::string("listed");
         const float bare = mean(traced(shot).radiance).x;
         EXPECT_NEAR(bare, 30.0F * 0.04F / math::pi, 0.04F) << "a little less than below it";
         scene::Material pane = glass(0.0F, 0.0F);
@@ -207,7 +210,7 @@ TEST(Transmission, ALightBehindThinClearGlassCountsOnce) {
             add(behind.scene, quad(1.0F), pane,
                 glm::translate(math::Mat4(1.0F), Vec3(0.0F, 0.0F, height_m)));
             EXPECT_NEAR(mean(traced(behind).radiance).x / bare, 1.0F, 0.02F)
-                << is_mesh << " glass at " << height_m;
+                << lamp << " glass at " << height_m;
         }
     }
 }

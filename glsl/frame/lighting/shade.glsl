@@ -196,7 +196,7 @@ vec3 shade(ShadePoint p) {
     explained.normal = vec4(p.surface.normal, n_dot_v);
     explained.to_eye = vec4(p.to_eye, 0.0);
     explained.albedo = albedo;
-    explained.base_color.rgb = p.surface.base_color;
+    explained.base_color.rgb = surface.base_color;
     explained.numbers = vec4(p.surface.metallic, p.surface.roughness, p.surface.ao, surface.roughness);
     BrdfValue balance = below_layers(brdf_environment(brdf));
     balance.specular += coat_albedo();

@@ -58,8 +58,8 @@ shared::Draw block_of(const scene::Instance& instance, const scene::Material& ma
     block.absorbed_per_m =
         Vec4(scene::extinction_per_m(v) * (1.0F - scene::scattered_share(v)), 0.0F);
     block.diffuse_transmission = Vec4(v.diffuse_transmission_color, v.diffuse_transmission);
-    const bool is_volume = scene::has_volume(material);
-    block.scattered = Vec4(is_volume ? v.scatter_color : Vec3(0.0F), 0.0F);
+    const bool scatters = scene::has_volume(material) && scene::extinction_per_m(v) != Vec3(0.0F);
+    block.scattered = Vec4(scatters ? v.scatter_color : Vec3(0.0F), 0.0F);
     block.anisotropy = {v.anisotropy, std::cos(v.anisotropy_rotation_rad),
                         std::sin(v.anisotropy_rotation_rad), 0.0F};
     block.iridescence = {v.iridescence, v.iridescence_ior, v.iridescence_thickness_min_nm,

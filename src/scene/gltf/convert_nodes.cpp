@@ -67,9 +67,11 @@ base::Result<std::vector<Skin>> read_skins(const Import& import) {
         const Accessor& accessor = import.asset.accessors[*bind_index];
         if (accessor.components != 16) continue;
         const std::vector<float> floats = read_floats(accessor);
-        const auto bad = std::find_if(floats.begin(), floats.end(),
+        const auto used = static_cast<std::ptrdiff_t>(
+            std::min<std::size_t>(floats.size(), skin.joints.size() * 16));
+        const auto bad = std::find_if(floats.begin(), floats.begin() + used,
                                       [](float value) { return !std::isfinite(value); });
-        if (bad != floats.end())
+        if (bad != floats.begin() + used)
             return base::fail({.code = ErrorCode::input_invalid,
                                .where = pointer_text("skins", s, "/inverseBindMatrices"),
                                .what = "value is NaN or infinite",
