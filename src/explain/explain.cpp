@@ -10,6 +10,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace facet::explain {
@@ -112,6 +113,17 @@ Contribution of_environment(const shared::ExplainedSurface& s) {
     const auto ao = static_cast<double>(s.numbers.z);
     return {rgb(s.environment_diffuse) * rgb(s.irradiance) * ao,
             rgb(s.environment_specular) * rgb(s.prefiltered) * ao};
+}
+
+Balance balance_of(const shared::ExplainedSurface& s) {
+    Balance out{.reflected = rgb(s.environment_specular),
+                .transmitted = rgb(s.environment_diffuse),
+                .gone_through = rgb(s.far_weight)};
+    out.absorbed = DVec3(1.0) - out.reflected - out.transmitted - out.gone_through;
+    constexpr double rounding = 1e-6;  // of floats that add up to 1
+    for (int c = 0; c < 3; ++c)
+        if (std::fabs(out.absorbed[c]) < rounding) out.absorbed[c] = 0.0;
+    return out;
 }
 
 DVec3 shown_by(const ExplainedPoint& point) {

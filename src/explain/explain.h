@@ -26,6 +26,14 @@ struct Contribution {
 [[nodiscard]] Contribution of_light(const shared::ExplainedLight& light);
 /// With occlusion.
 [[nodiscard]] Contribution of_environment(const shared::ExplainedSurface& surface);
+/// Where white light from everywhere goes; all four add up to 1.
+struct Balance {
+    DVec3 reflected{0.0};
+    DVec3 transmitted{0.0};   ///< refracted, and back again
+    DVec3 gone_through{0.0};  ///< to the far side
+    DVec3 absorbed{0.0};
+};
+[[nodiscard]] Balance balance_of(const shared::ExplainedSurface& surface);
 /// What a surface shows in nit, before its opacity: emission, and light where it is not unlit.
 [[nodiscard]] DVec3 shown_by(const frame::ExplainedPoint& point);
 

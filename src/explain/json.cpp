@@ -42,8 +42,7 @@ Json json(const scene::Scene& scene, const frame::ExplainedPoint& point) {
     const scene::Material& material = scene.materials[s.ids.y - 1];
     Json lights = Json::array();
     for (const shared::ExplainedLight& light : point.lights) lights.push_back(json(scene, light));
-    const DVec3 reflected = DVec3(s.environment_specular);
-    const DVec3 transmitted = DVec3(s.environment_diffuse) + DVec3(s.far_weight);
+    const Balance balance = balance_of(s);
     return {
         {"object", object_name(scene, s.ids.x)},
         {"material", material.name},
@@ -80,9 +79,10 @@ Json json(const scene::Scene& scene, const frame::ExplainedPoint& point) {
           {"specular_weight", json(s.environment_specular)},
           {"contribution", json(of_environment(s))}}},
         {"balance",
-         {{"reflected", json(reflected)},
-          {"transmitted", json(transmitted)},
-          {"absorbed", json(DVec3(1.0) - reflected - transmitted)}}},
+         {{"reflected", json(balance.reflected)},
+          {"transmitted", json(balance.transmitted)},
+          {"gone_through", json(balance.gone_through)},
+          {"absorbed", json(balance.absorbed)}}},
         {"sum", json(shown_by(point))}};
 }
 

@@ -225,12 +225,18 @@ private:
         environment.add(t("weight_diffuse"), numbers(s.environment_diffuse));
         environment.add(t("weight_specular"), numbers(s.environment_specular));
         tell(of_environment(s), environment, t("environment_formula").c_str());
-        const DVec3 reflected(s.environment_specular);
-        const DVec3 transmitted(s.environment_diffuse);
+        const Balance shares = balance_of(s);
+        const bool has_far_side = shares.gone_through != DVec3(0.0);
+        if (has_far_side) {
+            Node& far = node.add(t("far_side"));
+            far.add(t("weight"), numbers(shares.gone_through));
+            far.add(t("contribution"), numbers(s.far_nit) + " nit");
+        }
         Node& balance = node.add(t("balance"));
-        balance.add(t("reflected"), numbers(reflected));
-        balance.add(t("transmitted"), numbers(transmitted));
-        balance.add(t("absorbed"), numbers(DVec3(1.0) - reflected - transmitted));
+        balance.add(t("reflected"), numbers(shares.reflected));
+        balance.add(t("transmitted"), numbers(shares.transmitted));
+        if (has_far_side) balance.add(t("gone_through"), numbers(shares.gone_through));
+        balance.add(t("absorbed"), numbers(shares.absorbed));
         node.add(t("shows"), numbers(shown_by(point)) + " nit");
     }
 

@@ -163,7 +163,7 @@ base::Result<MaterialFile> load_material(const std::string& name, const base::Li
     if (!name.ends_with(".json")) {
         const auto names = material_presets();
         if (std::find(names.begin(), names.end(), name) == names.end())
-            return usage_error("no such preset", name, suggestion(name, names));
+            return usage_error("no such preset of --list materials", name, suggestion(name, names));
         path = *presets_folder() / (name + ".json");
     }
     const auto bytes = base::read_file(path, std::min(most_bytes, limits.file_bytes));

@@ -86,6 +86,27 @@ INSTANTIATE_TEST_SUITE_P(BundledScenes, Explain,
                                          Case{"builtin:ball", "studio", "distribution=beckmann"},
                                          Case{"builtin:showcase", "overcast", "multiscatter=off"}));
 
+TEST(ExplainPixel, TellsWhatComesThroughGlassAndSkin) {
+    for (const char* const preset : {"clear_glass", "skin"}) {
+        render::Request request = request_of("builtin:ball", "studio");
+        request.settings.material = {std::string("ball=") + preset};
+        expect_sums(request);
+        base::Log log;
+        const auto explained = explain(request, {{80, 45}}, log, {});
+        ASSERT_TRUE(explained) << base::to_line(explained.error());
+        const auto surface = json_of(*explained, explained->pixels[0])["samples"][0]["surface"];
+        for (const std::size_t c : {0U, 1U, 2U}) {
+            EXPECT_GT(surface["from_far_side_nit"][c], 0.1) << preset;
+            EXPECT_GT(surface["balance"]["gone_through"][c], 0.9) << preset;
+            EXPECT_EQ(surface["balance"]["absorbed"][c], 0.0) << preset;
+        }
+        const auto texts = base::Texts::load("en");
+        ASSERT_TRUE(texts);
+        const std::string tree = tree_of(*explained, explained->pixels[0], *texts);
+        EXPECT_NE(tree.find("from behind the surface"), std::string::npos) << tree;
+    }
+}
+
 TEST(ExplainPixel, IsSaidInBothLanguagesAndAsJson) {
     base::Log log;
     const auto explained =
