@@ -23,6 +23,9 @@ constexpr std::uint32_t least_bounces = 16;
 /// few paths', by which the filter hardly tells places apart: where it could, it would leave out
 /// the bright few that the mean lives on (of a ball lit from behind a tenth).
 constexpr std::uint32_t far_passes = 3;
+/// At least, of a place's light squared: its few paths may agree by chance, and it would stay a
+/// dot.
+constexpr float chance_variance = 0.25F;
 /// Surfaces that spread light more show no picture of what is behind them.
 constexpr float picture_alpha = 0.03F;
 constexpr float smoothed_well = 0.5F;
@@ -100,7 +103,8 @@ private:
                        .alpha = spread,
                        .is_surface = true};
         means_[at].rest = over(sum, weight);
-        means_[at].diffuse_variance = mean.variance(count);
+        const float nit = math::luminance(means_[at].rest);
+        means_[at].diffuse_variance = std::max(mean.variance(count), chance_variance * nit * nit);
         means_[at].has_diffuse = 1.0F;
     }
 
