@@ -136,11 +136,11 @@ Pose pose_at(const Rig& rig, const Clip* clip, double time_s) {
     return pose;
 }
 
-std::vector<Mat4> joint_matrices(const Skin& skin, const Pose& pose) {
-    std::vector<Mat4> out;
-    out.reserve(skin.joints.size());
-    for (std::size_t j = 0; j < skin.joints.size(); ++j)
-        out.push_back(pose.world_from_node[skin.joints[j]] * skin.joint_from_object[j]);
+std::span<const Mat4> Joints::of(std::uint32_t skin) {
+    const Skin& from = rig_.skins[skin];
+    std::vector<Mat4>& out = by_skin_[skin];
+    for (std::size_t j = out.size(); j < from.joints.size(); ++j)
+        out.push_back(pose_.world_from_node[from.joints[j]] * from.joint_from_object[j]);
     return out;
 }
 
@@ -177,7 +177,7 @@ bool take_pose(const Pose& pose, Scene& scene) {
     remove_light_shapes(scene);  // what is made here is the model's, and comes before them
     const std::size_t mesh_count = scene.meshes.size();
     bool has_deformed = false;
-    std::vector<std::vector<Mat4>> skins(rig.skins.size());
+    Joints skins(rig, pose);
     scene.instances.clear();
     for (const Placing& placing : rig.placings) {
         const Mat4 world_from_copy =
@@ -185,11 +185,7 @@ bool take_pose(const Pose& pose, Scene& scene) {
                          : pose.world_from_node[placing.node] * placing.node_from_copy;
         if (is_flat(world_from_copy)) continue;
         std::span<const Mat4> joints;
-        if (placing.skin) {
-            std::vector<Mat4>& of_skin = skins[*placing.skin];
-            if (of_skin.empty()) of_skin = joint_matrices(rig.skins[*placing.skin], pose);
-            joints = of_skin;
-        }
+        if (placing.skin) joints = skins.of(*placing.skin);
         const bool is_mirrored = is_mirroring(joints.empty() ? world_from_copy : joints.front());
         if (!placing.shapes.empty()) {
             const auto moved = pose.weights.find(placing.node);

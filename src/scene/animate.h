@@ -7,6 +7,7 @@
 #include "scene/scene.h"
 
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -24,8 +25,18 @@ struct Pose {
 /// `clip` null: as the file has it.
 [[nodiscard]] Pose pose_at(const Rig& rig, const Clip* clip, double time_s);
 
-/// world_from_object of each joint.
-[[nodiscard]] std::vector<Mat4> joint_matrices(const Skin& skin, const Pose& pose);
+/// world_from_object of each joint, found once for all meshes of a skin. Rig and pose outlive it.
+class Joints {
+public:
+    Joints(const Rig& rig, const Pose& pose) : rig_(rig), pose_(pose), by_skin_(rig.skins.size()) {}
+    /// Lives as long as this.
+    [[nodiscard]] std::span<const Mat4> of(std::uint32_t skin);
+
+private:
+    const Rig& rig_;
+    const Pose& pose_;
+    std::vector<std::vector<Mat4>> by_skin_;  ///< empty: not asked for yet
+};
 /// Whether nothing is left of what such a matrix places, or its place is none.
 [[nodiscard]] bool is_flat(const Mat4& matrix);
 [[nodiscard]] bool is_mirroring(const Mat4& matrix);

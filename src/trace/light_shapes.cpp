@@ -4,6 +4,7 @@
 
 #include "brdf/light_terms.h"
 #include "scene/light_at.h"
+#include "trace/geometry.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,17 +21,30 @@ using Terms = brdf::LightTerms<float>;
 /// Below this a rectangle's solid angle cancels in float, and area is as good.
 constexpr float small_sr = 1e-3F;
 
+/// Of the sphere, one unit away, that fills a directional light's cone.
+float sun_radius(const Light& light) { return std::sin(0.5F * light.angle_rad); }
+
 }  // namespace
 
 Vec3 directional_way(const Light& light, Vec2 u) {
     if (light.angle_rad <= 0.0F) return -light.direction;
-    // A sphere of this radius, one unit away, fills that cone.
-    return Terms{}.sample_sphere(-light.direction, std::sin(0.5F * light.angle_rad), u);
+    return Terms{}.sample_sphere(-light.direction, sun_radius(light), u);
+}
+
+LightSample sample_directional(const Light& light, Vec2 u) {
+    LightSample out{.direction = directional_way(light, u),
+                    .distance_m = Ray{}.far_m,
+                    .light = light.color * light.intensity};
+    if (light.angle_rad <= 0.0F) return out;
+    // Drawn to the rim, where a look may miss it.
+    out.has_pdf = true;
+    out.pdf = Terms{}.pdf_sphere(1.0F, sun_radius(light));
+    out.light *= out.pdf;
+    return out;
 }
 
 float directional_pdf(const Light& light, const Vec3& to_light) {
-    if (light.angle_rad <= 0.0F) return 0.0F;
-    const float radius = std::sin(0.5F * light.angle_rad);
+    const float radius = sun_radius(light);
     return Terms{}.hit_sphere(-light.direction, radius, to_light) > 0.0F
                ? Terms{}.pdf_sphere(1.0F, radius)
                : 0.0F;

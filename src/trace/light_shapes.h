@@ -18,8 +18,9 @@ struct LightSample {
 
 /// A directional light: a direction within the cone that it fills, evenly drawn.
 [[nodiscard]] math::Vec3 directional_way(const scene::Light& light, math::Vec2 u);
-/// The density of that, 1/sr, and so its nit for each lux; 0 beside the cone and of one without an
-/// angle.
+/// The same with its light.
+[[nodiscard]] LightSample sample_directional(const scene::Light& light, math::Vec2 u);
+/// Its density, 1/sr, and so its nit for each lux; 0 beside the cone and of one without an angle.
 [[nodiscard]] float directional_pdf(const scene::Light& light, const math::Vec3& to_light);
 
 /// A light at a point, seen from where `to_center` begins.

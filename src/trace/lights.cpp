@@ -132,15 +132,7 @@ LightSample Lights::sample(const Choice& choice, const Vec3& position_m, Vec2 u,
     const Vec3 to_center = light.position_m - position_m;
     LightSample out;
     if (light.kind == LightKind::directional) {
-        out.direction = directional_way(light, u);
-        out.distance_m = Ray{}.far_m;
-        out.light = light.color * light.intensity;
-        out.has_pdf = light.angle_rad > 0.0F;
-        if (out.has_pdf) {
-            // Drawn to the rim, where a look may miss it.
-            out.pdf = Terms{}.pdf_sphere(1.0F, std::sin(0.5F * light.angle_rad));
-            out.light *= out.pdf;
-        }
+        out = sample_directional(light, u);
     } else if (!is_sized(light)) {
         out = sample_point(light, to_center);
     } else {

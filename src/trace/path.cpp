@@ -354,8 +354,8 @@ private:
     Lights::DrawnWay lights_here_;  ///< what was drawn of the lights at the surface at hand
     Medium medium_;
     float known_ = 0.0F;        ///< share of what is drawn that is counted already
-    float least_alpha_ = 0.0F;  ///< of the next surface, where
-    bool widens_ = true;
+    float least_alpha_ = 0.0F;  ///< of the next surface
+    bool widens_ = true;        ///< that width grows along the path
     std::uint32_t bounce_ = 0;
     std::uint32_t passed_ = 0;
     PathLight out_;

@@ -169,7 +169,7 @@ Surface seen_surface(const scene::Scene& scene, const std::vector<InstanceFrame>
         const Point point(scene, textures, hit);
         fill_layers(scene, frames[pixel.instance].normal_from_object, point, -from_eye.direction,
                     s);
-        if (s.transmission > 0.0F && point.has(TextureSlot::normal_texture)) {
+        if (s.transmission > 0.0F && !s.has_volume && point.has(TextureSlot::normal_texture)) {
             Surface plain;
             fill_material(point, plain);
             s.thin_roughness = plain.roughness;

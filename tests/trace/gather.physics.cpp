@@ -18,20 +18,13 @@ scene::Scene floor_and_wall(const scene::Material& wall) {
     scene::Scene scene = scene_of(quad(40.0F));
     scene.materials.front().values.metallic = 0.0F;
     scene.materials.front().values.roughness = 1.0F;
-    scene.materials.push_back(wall);
-    scene.meshes.push_back(scene.meshes.front());
-    scene.meshes.back().material = {1};
     const auto turn = [](float degrees, const Vec3& axis) {
         return glm::rotate(math::Mat4(1.0F), glm::radians(degrees), axis);
     };
     scene.instances.front().world_from_object =
         glm::translate(math::Mat4(1.0F), Vec3(20, 0, 0)) * turn(-90.0F, Vec3(1, 0, 0));
-    scene.instances.push_back(
-        {.mesh = {1},
-         .world_from_object =
-             glm::translate(math::Mat4(1.0F), Vec3(0, 20, 0)) * turn(90.0F, Vec3(0, 1, 0)),
-         .node = "wall",
-         .object_id = 2});
+    add(scene, scene.meshes.front(), wall,
+        glm::translate(math::Mat4(1.0F), Vec3(0, 20, 0)) * turn(90.0F, Vec3(0, 1, 0)));
     return scene;
 }
 

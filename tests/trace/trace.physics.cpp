@@ -195,14 +195,7 @@ TEST(Reference, HolesOfAMaskShowWhatIsBehindAndLightPassesThem) {
     shot.scene.lights = {
         {.kind = tables::LightKind::directional, .intensity = 3.0F, .direction = {0, 0, -1}}};
     const Vec4 bare = mean(traced(shot).radiance);
-    shot.scene.materials.push_back(gone);
-    shot.scene.meshes.push_back(quad(2.0F));
-    shot.scene.meshes.back().material = {1};
-    shot.scene.instances.push_back(
-        {.mesh = {1},
-         .world_from_object = glm::translate(math::Mat4(1.0F), Vec3(0, 0, 0.5F)),
-         .node = "mask",
-         .object_id = 2});
+    add(shot.scene, quad(2.0F), gone, glm::translate(math::Mat4(1.0F), Vec3(0, 0, 0.5F)));
     EXPECT_EQ(mean(traced(shot).radiance), bare);
 }
 
@@ -214,14 +207,7 @@ TEST(Reference, HolesOfAMaskThatEmitsGiveNoLight) {
     lamp.values.emissive = Vec3(1.0F);
     lamp.values.emissive_strength = 10.0F;
     lamp.double_sided = true;
-    shot.scene.materials.push_back(lamp);
-    shot.scene.meshes.push_back(quad(0.5F));
-    shot.scene.meshes.back().material = {1};
-    shot.scene.instances.push_back(
-        {.mesh = {1},
-         .world_from_object = glm::translate(math::Mat4(1.0F), Vec3(0, 0, 0.5F)),
-         .node = "lamp",
-         .object_id = 2});
+    add(shot.scene, quad(0.5F), lamp, glm::translate(math::Mat4(1.0F), Vec3(0, 0, 0.5F)));
     EXPECT_GT(mean(traced(shot).radiance).x, 0.1F);
     shot.scene.materials[1].values.opacity = 0.1F;
     EXPECT_EQ(mean(traced(shot).radiance).x, 0.0F);
@@ -241,14 +227,7 @@ TEST(Reference, ABlackSheetOfOpacityATakesItsShareOnTheWayInAndOut) {
     sheet.alpha_mode = scene::AlphaMode::blend;
     sheet.values.opacity = opacity;
     sheet.unlit = true;  // black, without even that
-    shot.scene.materials.push_back(sheet);
-    shot.scene.meshes.push_back(quad(2.0F));
-    shot.scene.meshes.back().material = {1};
-    shot.scene.instances.push_back(
-        {.mesh = {1},
-         .world_from_object = glm::translate(math::Mat4(1.0F), Vec3(0, 0, 0.5F)),
-         .node = "sheet",
-         .object_id = 2});
+    add(shot.scene, quad(2.0F), sheet, glm::translate(math::Mat4(1.0F), Vec3(0, 0, 0.5F)));
     const float through = (1.0F - opacity) * (1.0F - opacity);
     const Vec4 seen = mean(traced(shot).radiance);
     EXPECT_NEAR(seen.x, bare.x * through, 0.01F * bare.x);

@@ -11,7 +11,6 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <span>
 #include <utility>
@@ -67,16 +66,11 @@ base::Result<std::vector<Skin>> read_skins(const Import& import) {
         const Accessor& accessor = import.asset.accessors[*bind_index];
         if (accessor.components != 16) continue;
         const std::vector<float> floats = read_floats(accessor);
-        const auto used = static_cast<std::ptrdiff_t>(
-            std::min<std::size_t>(floats.size(), skin.joints.size() * 16));
-        const auto bad = std::find_if(floats.begin(), floats.begin() + used,
-                                      [](float value) { return !std::isfinite(value); });
-        if (bad != floats.begin() + used)
-            return base::fail({.code = ErrorCode::input_invalid,
-                               .where = pointer_text("skins", s, "/inverseBindMatrices"),
-                               .what = "value is NaN or infinite",
-                               .found = fmt::format("number {}", bad - floats.begin()),
-                               .remedy = "export the model again"});
+        const std::size_t used = std::min<std::size_t>(floats.size(), skin.joints.size() * 16);
+        if (auto finite = check_finite(std::span(floats).first(used),
+                                       pointer_text("skins", s, "/inverseBindMatrices"));
+            !finite)
+            return tl::unexpected(finite.error());
         for (std::size_t j = 0; j < skin.joints.size() && j < accessor.count; ++j)
             for (std::size_t i = 0; i < 16; ++i)
                 skin.joint_from_object[j][static_cast<int>(i / 4)][static_cast<int>(i % 4)] =
@@ -94,7 +88,7 @@ struct Placer {
     std::map<std::pair<std::size_t, bool>, std::vector<MeshId>> meshes;
     /// Of the rig, by mesh: each with its primitive.
     std::map<std::size_t, std::vector<std::pair<PrimitiveId, std::size_t>>> shapes;
-    std::map<std::uint32_t, std::vector<Mat4>> joints;  ///< by skin
+    Joints joints;
 };
 
 MeshId add_mesh(Import& import, Mesh mesh) {
@@ -206,9 +200,7 @@ base::Status convert_mesh_node(Placer& placer, std::uint32_t index) {
         // A skinned mesh stands where its joints are; its own node's place is ignored (glTF 2.0,
         // section 3.7.3.3).
         placing.skin = static_cast<std::uint32_t>(node.skin);
-        std::vector<Mat4>& of_skin = placer.joints[*placing.skin];
-        if (of_skin.empty()) of_skin = joint_matrices(placer.rig.skins[*placing.skin], placer.pose);
-        joints = of_skin;
+        joints = placer.joints.of(*placing.skin);
     }
     const auto copies = read_instances(import, index);
     if (!copies) return base::fail(copies.error());
@@ -233,7 +225,7 @@ base::Status convert_nodes(Import& import, Rig& rig) {
     rig.skins = std::move(*skins);
     const Pose pose = pose_at(rig, nullptr, 0.0);
     measure_lines(import, *shown, pose.world_from_node);
-    Placer placer{import, rig, pose, {}, {}, {}};
+    Placer placer{import, rig, pose, {}, {}, Joints(rig, pose)};
     for (const std::uint32_t index : *shown) {
         const tinygltf::Node& node = import.model.nodes[index];
         if (node.mesh >= 0)

@@ -5,6 +5,7 @@
 #include "base/assert.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <type_traits>
 
@@ -72,6 +73,17 @@ std::vector<Out> read_as(const Accessor& a) {
 }  // namespace
 
 std::vector<float> read_floats(const Accessor& a) { return read_as<float>(a); }
+
+base::Status check_finite(std::span<const float> values, const std::string& where) {
+    const auto bad = std::find_if(values.begin(), values.end(),
+                                  [](float value) { return !std::isfinite(value); });
+    if (bad == values.end()) return {};
+    return base::fail({.code = base::ErrorCode::input_invalid,
+                       .where = where,
+                       .what = "value is NaN or infinite",
+                       .found = "number " + std::to_string(bad - values.begin()),
+                       .remedy = "export the model again"});
+}
 
 std::vector<double> read_raw(const Accessor& a) { return read_as<double>(a); }
 

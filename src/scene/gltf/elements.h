@@ -5,6 +5,8 @@
 #include "scene/gltf/asset.h"
 
 #include <cstdint>
+#include <span>
+#include <string>
 #include <vector>
 
 namespace facet::scene::gltf {
@@ -17,6 +19,8 @@ namespace facet::scene::gltf {
 /// [count, components] floats; normalised integers become [0, 1] or [-1, 1], others keep their
 /// value (glTF 2.0, section 3.6.2.2). Matrices by columns. Precondition: is_sound.
 [[nodiscard]] std::vector<float> read_floats(const Accessor& accessor);
+/// Errors: input_invalid at `where` (NaN or infinity).
+[[nodiscard]] base::Status check_finite(std::span<const float> values, const std::string& where);
 /// [count, components] numbers as they are stored, not normalised. Precondition: is_sound.
 [[nodiscard]] std::vector<double> read_raw(const Accessor& accessor);
 /// [count * components] whole numbers. Precondition: is_sound, an unsigned component type.

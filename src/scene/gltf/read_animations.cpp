@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <map>
 #include <string_view>
 
@@ -65,14 +64,6 @@ base::Result<const Accessor*> find_accessor(const Import& import, const Json& sa
     return &accessors[*index];
 }
 
-base::Status check_numbers(const std::vector<float>& values, const std::string& where) {
-    const auto bad = std::find_if(values.begin(), values.end(),
-                                  [](float value) { return !std::isfinite(value); });
-    if (bad == values.end()) return {};
-    return broken(where, "value is NaN or infinite",
-                  fmt::format("number {}", bad - values.begin()));
-}
-
 base::Status check_rising(const std::vector<float>& times, const std::string& where) {
     for (std::size_t i = 1; i < times.size(); ++i)
         if (!(times[i] > times[i - 1]))
@@ -108,9 +99,9 @@ base::Result<Keyframes> read_keyframes(Import& import, const Json& sampler,
     Keyframes out{.interpolation = *interpolation,
                   .times_s = read_floats(**input),
                   .values = read_floats(**output)};
-    if (auto s = check_numbers(out.times_s, where + "/input"); !s) return tl::unexpected(s.error());
+    if (auto s = check_finite(out.times_s, where + "/input"); !s) return tl::unexpected(s.error());
     if (auto s = check_rising(out.times_s, where + "/input"); !s) return tl::unexpected(s.error());
-    if (auto s = check_numbers(out.values, where + "/output"); !s) return tl::unexpected(s.error());
+    if (auto s = check_finite(out.values, where + "/output"); !s) return tl::unexpected(s.error());
     const std::size_t rows =
         out.times_s.size() * (out.interpolation == Interpolation::cubic ? 3 : 1);
     out.width = rows == 0 ? 0 : value_count / rows;
